@@ -14,7 +14,7 @@ namespace {
 
 namespace py = pybind11;
 
-/// Raises the classes of talus/errors.py, which take the message apart. Arguments have the names of the options of the
+/// Raises the errors of talus/errors.py, which take the message apart. Arguments have the names of the options of the
 /// commands, without their hyphens.
 void translate(std::exception_ptr thrown) {
   const auto raise = [](const char* name, std::string message, const py::object& scene) {
@@ -23,8 +23,8 @@ void translate(std::exception_ptr thrown) {
       std::replace(message.begin(), message.begin() + static_cast<long>(std::min(message.find(':'), message.size())),
                    '-', '_');
     }
-    const py::object type = py::module_::import("talus.errors").attr(name);
-    PyErr_SetObject(type.ptr(), type(message, scene).ptr());
+    const py::object error = py::module_::import("talus.errors").attr(name)(message, scene);
+    PyErr_SetObject(py::type::of(error).ptr(), error.ptr());
   };
   try {
     if (thrown) std::rethrow_exception(thrown);
@@ -33,7 +33,7 @@ void translate(std::exception_ptr thrown) {
   } catch (const InputError& error) {
     raise("InputError", error.what(), py::none());
   } catch (const IoError& error) {
-    raise("IoError", error.what(), py::none());
+    raise("io_error", error.what(), py::none());
   }
 }
 

@@ -1,5 +1,7 @@
 """Errors of input and of files."""
 
+import errno
+import os
 import re
 from typing import NamedTuple, Optional
 
@@ -66,8 +68,34 @@ class InputError(ValueError):
         return self.problems[0].field
 
 
+#: Numbers of the system's errors by the text that ends a message.
+_numbers = {os.strerror(number): number for number in sorted(errno.errorcode, reverse=True)}
+
+
 class IoError(OSError):
-    """A file that cannot be read."""
+    """A file that cannot be read or written; `errno`, `strerror` and `filename` are None without a system's reason."""
 
     def __init__(self, message, scene=None):
         super().__init__(message)
+        places, _, reason = str(message).rpartition(": ")
+        if reason in _numbers:
+            self.errno, self.strerror, self.filename = _numbers[reason], reason, places.rpartition(": ")[2]
+
+    def __str__(self):
+        return str(self.args[0])
+
+
+class FileNotFound(IoError, FileNotFoundError):
+    """A file or folder that does not exist."""
+
+
+class FileNotPermitted(IoError, PermissionError):
+    """A file or folder that the user may not read or write."""
+
+
+_classes = {errno.ENOENT: FileNotFound, errno.EACCES: FileNotPermitted, errno.EPERM: FileNotPermitted}
+
+
+def io_error(message, scene=None):
+    """The error of a message, which Python's own class for the system's reason catches, too."""
+    return _classes.get(IoError(message).errno, IoError)(message)

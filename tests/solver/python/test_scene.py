@@ -1,5 +1,6 @@
 """Scenes from files, texts and dicts: what they hold, and errors of input."""
 
+import errno
 import pickle
 import tempfile
 import unittest
@@ -184,6 +185,18 @@ class Scenes(unittest.TestCase):
         with self.assertRaisesRegex(talus.IoError, "no_such.toml"):
             talus.Scene.read("no_such.toml")
         self.assertTrue(issubclass(talus.IoError, OSError))
+        with self.assertRaises(FileNotFoundError) as raised:
+            talus.Scene.read("no_such.toml")
+        for error in (raised.exception, pickle.loads(pickle.dumps(raised.exception))):
+            self.assertIsInstance(error, talus.IoError)
+            self.assertEqual((error.errno, error.filename), (errno.ENOENT, "no_such.toml"))
+            self.assertEqual(str(error), "no_such.toml: " + error.strerror)
+        with self.assertRaises(talus.IoError) as raised:
+            talus.Scene.read("/")
+        self.assertEqual(raised.exception.errno, errno.EISDIR)
+        self.assertIsInstance(talus.errors.io_error("a: b.csv: Permission denied"), PermissionError)
+        self.assertEqual(talus.errors.io_error("a: b.csv: Permission denied").filename, "b.csv")
+        self.assertIsNone(talus.errors.io_error("a: no system's reason").errno)
         with tempfile.TemporaryDirectory() as folder:
             with self.assertRaisesRegex(talus.InputError, "not TOML"):
                 talus.Scene.read(text_file(folder, "wrong.toml", "a = [1"))
