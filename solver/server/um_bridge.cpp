@@ -38,6 +38,9 @@ Answer answer(const std::string& body, Of&& of) {
   if (const auto name = request["name"].get<std::string>(); name != UmBridge::model) {
     return error(400, "ModelNotFound", fmt::format("model '{}' is not known; known: {}", name, UmBridge::model));
   }
+  if (const auto config = request.find("config"); config != request.end() && !(config->is_object() && config->empty()))
+    return error(400, "InvalidInput",
+                 fmt::format("config: found {}; the model has no options: give {{}} or nothing", config->dump()));
   try {
     return of(request);
   } catch (const InputError& wrong) {

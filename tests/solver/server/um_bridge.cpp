@@ -2,6 +2,8 @@
 
 #include "solver/server/um_bridge.hpp"
 
+#include <fmt/format.h>
+
 #include <boost/test/unit_test.hpp>
 #include <nlohmann/json.hpp>
 
@@ -87,6 +89,12 @@ BOOST_AUTO_TEST_CASE(wrong_requests_are_answered_by_errors) {
   BOOST_TEST(holds(evaluated(R"({"name":"forward","input":[[3,null]]})", 400), "InvalidInput", "found null"));
   BOOST_TEST(holds(evaluated(R"({"name":"forward","input":[[3,-1]]})", 400), "InvalidInput", "damping"));
   BOOST_TEST(holds(evaluated(R"({"name":"forward","input":[[4.6,0]]})", 400), "InvalidInput", "constraint 1"));
+  const auto configured = [&](const char* config) {
+    return evaluated(fmt::format(R"({{"name":"forward","input":[[3,0]],"config":{}}})", config), 400);
+  };
+  BOOST_TEST(
+      holds(configured(R"({"step":0.001})"), "InvalidInput", "config: found {\"step\":0.001}; the model has no"));
+  BOOST_TEST(holds(configured("3"), "InvalidInput", "config: found 3"));
   const auto unsupported = [&](const std::string& body) {
     return error_of(served.bridge.unsupported("Gradient", body), 400);
   };
