@@ -133,6 +133,11 @@ void check(SceneTable& file, const FitFile& made) {
     file.report("parameter", fmt::format("found {} for {} measured values; there must be more values than parameters",
                                          made.parameters.size(), values));
   }
+  for (auto first = made.quantities.begin(); first != made.quantities.end(); ++first) {
+    if (std::ranges::any_of(made.quantities.begin(), first,
+                            [&](const FitQuantity& earlier) { return earlier.name == first->name; }))
+      file.report("quantity", fmt::format("found two called \"{}\"; give each a name of its own", first->name));
+  }
   constexpr std::size_t maximum = 8;
   if (made.parameters.size() > maximum)
     file.report("parameter", fmt::format("found {}; there may be at most {}", made.parameters.size(), maximum));
