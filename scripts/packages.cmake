@@ -34,7 +34,8 @@ set(components program development python documentation)
 foreach(package component IN ZIP_LISTS packages components)
   install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package} RENAME copyright COMPONENT ${component})
 endforeach()
-install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/talus-doc COMPONENT documentation)
+# Made by scripts/guide, which scripts/packages calls.
+install(DIRECTORY ${PROJECT_BINARY_DIR}/guide/ DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/talus-doc COMPONENT documentation OPTIONAL)
 
 # --- The packages -------------------------------------------------------------------------------
 set(CPACK_GENERATOR DEB)
