@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 #include <chrono>
+#include <ctime>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -80,6 +81,9 @@ std::string time_text(double seconds) {
   return seconds < 10.0 ? fmt::format("{:.2g} s", seconds) : duration_text(seconds);
 }
 
+/// Time of the processor that this process has used [s].
+double processor_time() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
 /// What a run costs, measured at the start of one.
 struct Sample {
   std::size_t number{};
@@ -88,6 +92,7 @@ struct Sample {
 };
 
 /// Runs the first, the middle and the last one, each for at most a tenth of a second: the cost of all is extrapolated.
+/// The first one is run before, since it touches and tidies memory, too; short ones are repeated for their least time.
 std::vector<Sample> samples_of(const SweepFolder& sweep, const SweepBase& base) {
   std::vector<Sample> samples;
   SweepLimits limits = sweep.limits;
@@ -95,13 +100,18 @@ std::vector<Sample> samples_of(const SweepFolder& sweep, const SweepBase& base) 
   const bool is_short = limits.time > 0.0 && limits.time <= sample_time;
   if (!is_short) limits.time = sample_time;
   std::size_t last = sweep.runs.size();
+  static_cast<void>(base.result(sweep.runs.front(), limits, [] { return false; }));
   for (const std::size_t i : {std::size_t{0}, sweep.runs.size() / 2, sweep.runs.size() - 1}) {
     if (i == last) continue;
     last = i;
     Sample sample{i + 1, {}, 0.0};
-    const Clock::time_point start = Clock::now();
-    sample.result = base.result(sweep.runs[i], limits, [] { return false; });
-    sample.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    constexpr double repeated_time = 0.02;
+    const double first = processor_time();
+    for (double start = first, now = first; now - first < repeated_time; start = now) {
+      sample.result = base.result(sweep.runs[i], limits, [] { return false; });
+      now = processor_time();
+      sample.seconds = start == first ? now - start : std::min(sample.seconds, now - start);
+    }
     const auto evaluations = static_cast<double>(sample.result.evaluations);
     const bool is_of_sweep = is_short || (limits.evaluations > 0 && sample.result.evaluations >= limits.evaluations);
     if (sample.result.end == SweepEnd::limited && sample.result.time > 0.0 && !is_of_sweep) {
