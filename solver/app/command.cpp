@@ -12,7 +12,7 @@
 
 #include "solver/base/error.hpp"
 #include "solver/command_line/usage_error.hpp"
-#include "solver/io/file/utf8.hpp"
+#include "verification/record/utf8.hpp"
 
 namespace talus::app {
 namespace {
@@ -69,10 +69,10 @@ int work(const std::vector<Command>& commands) {
 
 int parse_and_work(const std::string& version, int count, const char* const* arguments) {
   for (int i = 1; i < count; ++i) {
-    if (is_utf8(arguments[i])) continue;
+    if (records::is_utf8(arguments[i])) continue;
     return report(bad_input, fmt::format("found \"{}\", which is not UTF-8; what names files and titles must be, since "
                                          "it is written to JSON and XML",
-                                         as_utf8(arguments[i])));
+                                         records::as_utf8(arguments[i])));
   }
   CLI::App talus{"", "talus"};
   describe(talus, version);

@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "solver/base/error.hpp"
-#include "solver/io/file/utf8.hpp"
+#include "verification/record/utf8.hpp"
 
 namespace talus::verification {
 
@@ -63,7 +63,7 @@ void demand_plain_lines(const std::string& text, std::string_view name) {
   std::istringstream lines{text};
   std::string line;
   for (int number = 1; std::getline(lines, line); ++number) {
-    if (!is_utf8(line)) throw InputError{fmt::format("{}:{}: the line is not UTF-8", name, number)};
+    if (!records::is_utf8(line)) throw InputError{fmt::format("{}:{}: the line is not UTF-8", name, number)};
     if (line.size() > longest_line)
       throw InputError{
           fmt::format("{}:{}: found {} bytes; a line must have at most {}", name, number, line.size(), longest_line)};

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "verification/record/error.hpp"
+#include "verification/record/utf8.hpp"
 #include "verification/record/whole_file.hpp"
 
 namespace talus::records {
@@ -87,13 +88,28 @@ Csv::Csv(std::filesystem::path file, std::string_view text) : file_{std::move(fi
   if (!splitter.find_row()) {
     throw RecordError(fmt::format("{}: found no header; the first line must name the columns", file_.string()));
   }
+  // A comment may be in another encoding.
+  const bool all_utf8 = is_utf8(text);
+  const auto next_cell = [&](bool& last) {
+    const std::size_t line = splitter.line();
+    const std::string_view cell = splitter.next_cell(last);
+    if (!all_utf8 && !is_utf8(cell))
+      throw RecordError(fmt::format("{}:{}: found \"{}\", which is not UTF-8; save the file as UTF-8", file_.string(),
+                                    line, as_utf8(cell)));
+    return cell;
+  };
   for (bool last = false; !last;)
-    header_.emplace_back(splitter.next_cell(last));
+    header_.emplace_back(next_cell(last));
+  if (header_.size() == 1 && header_.front().find(';') != std::string::npos) {
+    throw RecordError(
+        fmt::format("{}: found the header \"{}\"; cells must be separated by commas, with points in numbers",
+                    file_.string(), header_.front()));
+  }
   while (splitter.find_row()) {
     lines_.push_back(splitter.line());
     const std::size_t before = cells_.size();
     for (bool last = false; !last;)
-      cells_.push_back(splitter.next_cell(last));
+      cells_.push_back(next_cell(last));
     if (const std::size_t found = cells_.size() - before; found != header_.size()) {
       throw RecordError(fmt::format("{}:{}: found {} cells; the header has {}", file_.string(), lines_.back(), found,
                                     header_.size()));
@@ -107,6 +123,8 @@ std::size_t Csv::column(std::string_view name) const {
     throw RecordError(
         fmt::format("{}: has no column '{}'; its columns: {}", file_.string(), name, fmt::join(header_, ", ")));
   }
+  if (std::find(found + 1, header_.end(), name) != header_.end())
+    throw RecordError(fmt::format("{}: found two columns '{}'; give them different names", file_.string(), name));
   return static_cast<std::size_t>(found - header_.begin());
 }
 

@@ -15,8 +15,8 @@ namespace talus::records {
 class Csv {
  public:
   /// Parses the text of a file; the file name is used only in messages. RecordError (file, line, found, allowed) if
-  /// there is no header, a row has another number of cells, a quoted cell is not closed, or the last line has no line
-  /// end (truncated file).
+  /// there is no header, a row has another number of cells, a quoted cell is not closed, a cell is not UTF-8, or the
+  /// last line has no line end (truncated file).
   Csv(std::filesystem::path file, std::string_view text);
   Csv(const Csv&) = delete;
   Csv& operator=(const Csv&) = delete;
@@ -27,7 +27,7 @@ class Csv {
   [[nodiscard]] const std::vector<std::string>& header() const { return header_; }
   [[nodiscard]] std::size_t rows() const { return lines_.size(); }
 
-  /// Index of the column with that name; RecordError if there is none.
+  /// Index of the column with that name; RecordError if there is none, or two.
   [[nodiscard]] std::size_t column(std::string_view name) const;
 
   /// Line of the file in which a row begins, counted from 1.

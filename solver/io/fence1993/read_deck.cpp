@@ -12,7 +12,7 @@
 #include "solver/io/file/list_directed.hpp"
 #include "solver/io/file/quantity_text.hpp"
 #include "solver/io/file/toml_document.hpp"
-#include "solver/io/file/utf8.hpp"
+#include "verification/record/utf8.hpp"
 
 namespace talus {
 namespace {
@@ -54,7 +54,7 @@ class DeckReader {
 
   std::string title() {
     location_.line = 1;
-    const std::string title = as_utf8(placed("title", [&] { return input_.whole_line(); }));
+    const std::string title = records::as_utf8(placed("title", [&] { return input_.whole_line(); }));
     if (const std::string why = title_error(title); !why.empty()) fail(location_, "title", why);
     return title;
   }

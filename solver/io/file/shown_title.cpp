@@ -1,6 +1,6 @@
 #include "solver/io/file/shown_title.hpp"
 
-#include "solver/io/file/utf8.hpp"
+#include "verification/record/utf8.hpp"
 
 namespace talus {
 
@@ -9,7 +9,7 @@ std::string shown_title(const std::string& title, const std::filesystem::path& f
   const std::size_t first = title.find_first_not_of(blanks);
   if (first != std::string::npos) return title.substr(first, title.find_last_not_of(blanks) + 1 - first);
   const std::filesystem::path path = file.lexically_normal();
-  return as_utf8((path.has_filename() ? path : path.parent_path()).stem().string());
+  return records::as_utf8((path.has_filename() ? path : path.parent_path()).stem().string());
 }
 
 }  // namespace talus

@@ -1,6 +1,7 @@
 #include "solver/io/file/toml_field.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <charconv>
@@ -91,8 +92,13 @@ TomlValue& field_at(TomlValue& document, std::string_view path) {
           fmt::format("'{}': nothing can be below '{}', which is a value; give a shorter path", path, keys[i - 1].key)};
     TomlEntry* const entry = entry_of(*table, key.key);
     if (entry == nullptr) {
-      if (!is_last || key.index)
+      if (!is_last)
         throw InputError{fmt::format("'{}': {}", path, unknown_name("field", key.key, keys_of(*table)).what())};
+      if (key.index)
+        throw InputError{
+            fmt::format("'{}': the base has no '{}', of which an element could be set; write it there, or give "
+                        "one of: {}",
+                        path, key.key, fmt::join(keys_of(*table), ", "))};
       table->push_back({key.key, {std::string{}, at->line}});
       return table->back().value;
     }

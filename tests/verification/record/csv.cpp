@@ -73,6 +73,9 @@ BOOST_AUTO_TEST_CASE(broken_files_are_refused_with_file_and_line) {
   BOOST_TEST(refused("x,y\n1,2") == "a.csv:2: the last line has no end; the file was cut short");
   BOOST_TEST(refused("x,y") == "a.csv:1: the last line has no end; the file was cut short");
   BOOST_TEST(refused("x,y\n1,\"2\n3,4\n") == "a.csv:2: a quoted cell that begins here does not end");
+  BOOST_TEST(refused("# f\xfcr\nx,y\n1,w\xfcrfel\n") ==
+             "a.csv:3: found \"w\u00fcrfel\", which is not UTF-8; save the file as UTF-8");
+  BOOST_TEST(refused("x,h\xf6he\n1,2\n") == "a.csv:1: found \"h\u00f6he\", which is not UTF-8; save the file as UTF-8");
   const Csv csv("a.csv", "x,y\n1,2\n");
   BOOST_TEST(error_message([&] { (void)csv.column("z"); }) == "a.csv: has no column 'z'; its columns: x, y");
   const Scratch folder;

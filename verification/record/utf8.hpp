@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-namespace talus {
+namespace talus::records {
 
 /// Whether a text is valid UTF-8, which JSON and XML require.
 [[nodiscard]] bool is_utf8(std::string_view text);
@@ -12,4 +12,4 @@ namespace talus {
 /// Latin-1 (ISO 8859-1).
 [[nodiscard]] std::string as_utf8(std::string_view text);
 
-}  // namespace talus
+}  // namespace talus::records

@@ -1,6 +1,6 @@
-#include "solver/io/file/utf8.hpp"
+#include "verification/record/utf8.hpp"
 
-namespace talus {
+namespace talus::records {
 namespace {
 
 /// Length of the UTF-8 sequence at the start of `text`; 0 if there is none.
@@ -41,4 +41,4 @@ std::string as_utf8(std::string_view text) {
   return result;
 }
 
-}  // namespace talus
+}  // namespace talus::records
