@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <nlohmann/json.hpp>
@@ -15,8 +16,8 @@
 #include "solver/io/file/folder_lock.hpp"
 #include "solver/io/file/json_text.hpp"
 #include "solver/io/file/toml_document.hpp"
-#include "solver/io/file/utf8.hpp"
 #include "solver/io/output/run_folder.hpp"
+#include "verification/record/utf8.hpp"
 
 namespace talus::app {
 namespace {
@@ -91,13 +92,14 @@ std::unique_ptr<ResumableRun> start_or_resume(const RunRequest& request,
 }
 
 /// Advances the run to its end or until it is interrupted; with a folder it is saved there every second, so that a
-/// crash loses at most a second.
+/// crash loses at most a second, or as seldom as saving takes a tenth of the time.
 Outcome advance(const RunRequest& request, ResumableRun& run, const std::optional<Interruption>& interruption) {
   using Clock = std::chrono::steady_clock;
   Progress progress;
   if (request.folder.empty()) return run.advance({}, progress);
+  Clock::duration pauses = std::chrono::seconds{1};
   for (;;) {
-    const Clock::time_point due = Clock::now() + std::chrono::seconds{1};
+    const Clock::time_point due = Clock::now() + pauses;
     bool saves = false;
     long steps = 0;
     const auto pause = [&] {
@@ -107,7 +109,9 @@ Outcome advance(const RunRequest& request, ResumableRun& run, const std::optiona
     };
     Outcome outcome = run.advance(pause, progress);
     if (!saves || outcome.kind != Outcome::Kind::stopped) return outcome;
+    const Clock::time_point start = Clock::now();
     write_checkpoint(request, run);
+    pauses = std::max<Clock::duration>(std::chrono::seconds{1}, 9 * (Clock::now() - start));
   }
 }
 
@@ -214,8 +218,10 @@ RunRequest run_request(std::string_view command, const RunOptions& options, cons
   }
   if (options.scene.empty())
     throw InputError{fmt::format("SCENE is required, or --resume DIR\nhelp: talus {} --help", command)};
-  if (const std::string whole = fs::absolute(request.scene).string(); !options.folder.empty() && !is_utf8(whole))
-    throw InputError{fmt::format("{}: the folder of the scene is not UTF-8; the checkpoint names it", as_utf8(whole))};
+  if (const std::string whole = fs::absolute(request.scene).string();
+      !options.folder.empty() && !records::is_utf8(whole))
+    throw InputError{
+        fmt::format("{}: the folder of the scene is not UTF-8; the checkpoint names it", records::as_utf8(whole))};
   request.text = read_text(request.scene);
   return request;
 }

@@ -37,6 +37,13 @@ void change_end(SceneFile& file, double end) {
   plan.interval = static_cast<double>(fence.history_every) * plan.step;
 }
 
+/// Changes the step of the run. The history has at most one row a step.
+void change_step(SceneFile& file, double step) {
+  RunPlan& plan = file.scene.plan;
+  plan.step = step;
+  if (!file.fence) plan.interval = std::max(plan.interval, step);
+}
+
 /// Whether the interrupted run of a checkpoint was started with --sheet.
 bool holds_sheet(const ArchiveItems& memory) {
   const auto item = memory.find("sheet");
@@ -82,12 +89,10 @@ void apply_options(const MethodOptions& options, SceneFile& file) {
     scene.integrator_reason = chosen.why;
   }
   if (options.step == automatic_step_name || (needs_step && options.step.empty())) {
-    scene.plan.step = automatic_step(scene);
+    change_step(file, automatic_step(scene));
   } else if (!options.step.empty()) {
-    scene.plan.step = option_quantity("--step", options.step, dimension::time, units);
+    change_step(file, option_quantity("--step", options.step, dimension::time, units));
   }
-  // The history has at most one row a step.
-  if (!file.fence) scene.plan.interval = std::max(scene.plan.interval, scene.plan.step);
 }
 
 SceneRequest scene_request(const SceneOptions& options) {
@@ -113,8 +118,8 @@ SceneRequest scene_request(const SceneOptions& options) {
     if (options.impacts && !request.impacts) throw kept_option("--impacts");
     try {
       scene.integrator = make_integrator(saved.integrator, saved.tolerance);
-      scene.plan.step = saved.step;
-      scene.plan.end = saved.end;
+      change_end(request.file, saved.end);
+      change_step(request.file, saved.step);
       check_step_count(scene.plan);
     } catch (const InputError& error) {
       throw InputError{fmt::format("{}: {}", (request.run.from / checkpoint_name).string(), error.what())};

@@ -11,7 +11,7 @@ namespace talus {
 /// State of a run between two steps, as stored in a file. Together with the scene's file it suffices to resume the run.
 ///
 /// The file is JSON, one member a line, in this order:
-///   schema                            version of this description: 3
+///   schema                            version of this description: 4
 ///   talus                             version of the program; another may not give the same bits and is rejected
 ///   scene_file, scene_fnv1a           path of the scene's file and its hash: the run of a changed scene is not resumed
 ///   integrator, tolerance, step, end  as requested for the run, including options of the command line; times in the

@@ -106,8 +106,6 @@ bool names_vtp(std::string_view file, std::string_view before, std::size_t digit
 
 bool names_state(std::string_view file) { return names_vtp(file, "cell_", 6); }
 
-bool names_geometry(std::string_view file, const std::string& stem) { return names_vtp(file, stem + "_", 8); }
-
 bool ends_with_any(std::string_view name, std::initializer_list<std::string_view> ends) {
   return std::any_of(ends.begin(), ends.end(), [&](std::string_view end) { return name.ends_with(end); });
 }
@@ -141,6 +139,8 @@ std::set<std::string> stems_of(const std::filesystem::path& folder) {
 bool all_names(std::string_view) { return true; }
 
 }  // namespace
+
+bool names_geometry(std::string_view file, const std::string& stem) { return names_vtp(file, stem + "_", 8); }
 
 std::string cell_state_name(std::size_t index) { return fmt::format("{}/cell_{:06}.vtp", cell_states_folder, index); }
 

@@ -54,6 +54,9 @@ void demand_run_folder(const std::filesystem::path& folder);
 /// `talus cell` writes.
 [[nodiscard]] RunFolder read_run_folder(const std::filesystem::path& folder);
 
+/// Whether a run called `stem` gives files of its geometry such names: STEM_00000012.vtp.
+[[nodiscard]] bool names_geometry(std::string_view file, const std::string& stem);
+
 /// Removes the files that an earlier run of a scene or cell left in a folder: records, sheet, histories, listing,
 /// geometry, the pictures made from it, and unfinished files; except RESTART.DAT, from which another cell may start.
 /// `outputs`: names of files of runs that do not depend on the scene. Files with other names remain, as do files that

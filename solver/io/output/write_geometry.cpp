@@ -10,6 +10,7 @@
 #include "solver/io/file/atomic_file.hpp"
 #include "solver/io/file/toml_document.hpp"
 #include "solver/io/file/vtk_text.hpp"
+#include "solver/io/output/run_folder.hpp"
 #include "solver/model/outline.hpp"
 
 namespace talus {
@@ -156,7 +157,8 @@ void VtpSeries::bring_files(const std::filesystem::path& from) {
   remove_remains(geometry, [](std::string_view) { return true; });
   remove_files(geometry, [&](std::string_view name) {
     const std::string whole = fmt::format("{}_geometry/{}", name_, name);
-    return std::none_of(files_.begin(), files_.end(), [&](const File& file) { return path(file) == whole; });
+    return names_geometry(name, name_) &&
+           std::none_of(files_.begin(), files_.end(), [&](const File& file) { return path(file) == whole; });
   });
 }
 

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "solver/io/output/write_summary.hpp"
 #include "solver/model/outline.hpp"
+#include "verification/record/json_number.hpp"
 
 namespace talus {
 namespace {
@@ -43,9 +43,7 @@ class Sheet {
 
  private:
   Json in_si(double value, Dimension dimension) const {
-    const double si = value * si_size(record_.units, dimension);
-    if (std::isfinite(si)) return si;
-    return "inf";
+    return records::json_number(value * si_size(record_.units, dimension));
   }
   Json length(double value) const { return in_si(value, dimension::length); }
   Json time(double value) const { return in_si(value, dimension::time); }

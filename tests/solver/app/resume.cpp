@@ -76,6 +76,13 @@ BOOST_AUTO_TEST_CASE(a_fence_goes_on_to_the_same_listing_histories_and_geometry)
     stops_and_goes_on({"run", scene(file), "--end", "20 ms"}, "5 ms", "11.1 ms");
 }
 
+BOOST_AUTO_TEST_CASE(another_end_and_step_keep_their_rows) {
+  // Without an interval in the scene it follows from the end, and is at least the step.
+  stops_and_goes_on({"run", scene("pendulum.toml"), "--end", "30 s"}, "3 s", "11 s");
+  stops_and_goes_on({"run", scene("pendulum.toml"), "--end", "30 s", "--step", "40 ms"}, "3 s", "11 s");
+  stops_and_goes_on({"run", scene("fence/table_2.toml"), "--end", "0.3 s"}, "0.1 s", "0.2 s");
+}
+
 BOOST_AUTO_TEST_CASE(a_sheet_sums_up_the_whole_run) {
   stops_and_goes_on({"run", scene("fence/sample2.DAT"), "--end", "10 ms", "--sheet"}, "3 ms", "6 ms");
 }

@@ -367,6 +367,22 @@ void check_resumed(const TemporaryFolder& folder, Findings& findings, const Setu
     return records::read_json(folder.path() / out / "summary.json").at("extremes");
   };
   different += extremes("out") != extremes("halves");
+  // An interval that the scene leaves out follows from the end of the run, not from that of the scene.
+  std::string plain = folder.read("scene.toml");
+  const std::size_t at = plain.find("interval = ");
+  plain.erase(at, plain.find('\n', at) + 1 - at);
+  folder.write("plain.toml", plain);
+  const std::string later = fmt::format("{} s", 40 * steps * step);
+  const std::vector<std::string> start{"run", "plain.toml", "--end", later, "--out"};
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), start.begin(), start.end());
+    return more;
+  };
+  (void)talus_output(folder, with({"longer"}));
+  (void)talus_output(folder, with({"paused", "--until", fmt::format("{} s", 7 * steps * step)}));
+  (void)talus_output(folder, {"run", "--resume", "paused"});
+  for (const char* const file : {"history.csv", "final_state.json"})
+    different += folder.read(std::string{"longer/"} + file) != folder.read(std::string{"paused/"} + file);
   findings.expect("files that differ after an interruption", different, 0.0,
                   Tolerance::exact("history, final state and index of the geometry are byte-identical, and the summary "
                                    "has the same extremes"));
