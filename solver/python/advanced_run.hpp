@@ -9,6 +9,7 @@
 
 #include "solver/base/archive.hpp"
 #include "solver/base/error.hpp"
+#include "solver/python/advancing.hpp"
 #include "solver/python/python_signals.hpp"
 #include "solver/python/python_values.hpp"
 
@@ -23,8 +24,10 @@ bool advance(Run& run, long count, const char* argument) {
   PythonSignals signals;
   bool continues = false;
   {
+    // Before the lock is free for another thread, to which the run would seem idle.
+    const Advancing advancing = run.begin();
     const Unlocked unlocked;
-    continues = run.advance(count, [&] { return signals.pending(); });
+    continues = run.advance(advancing, count, [&] { return signals.pending(); });
   }
   signals.rethrow();
   return continues;

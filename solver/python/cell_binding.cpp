@@ -114,7 +114,7 @@ void bind_cell_run(py::module_& module) {
           "profile", [](const ScriptCellRun& run) { return columns_of(cell_profile(run.scene(), run.idle())); },
           "Means of the layers after the start-up: a dict of columns, those of profile.csv.")
       .def("unit", &unit_of, "column"_a,
-           "Unit of a column of the history or the profile, e.g. 'Pa'. Raises InputError for an unknown column.")
+           "Unit of a column of the history or the profile, e.g. 'N/m^2'. Raises InputError for an unknown column.")
       .def_property_readonly("x",
                              viewed<ScriptCellRun>([](const ScriptCellRun& run) { return std::span{run.discs().x}; }),
                              "Centre of each disc [L]; it may lie in a periodic image of the cell.")

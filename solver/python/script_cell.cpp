@@ -4,7 +4,6 @@
 
 #include "solver/app/cell/cell_summary.hpp"
 #include "solver/base/error.hpp"
-#include "solver/python/advancing.hpp"
 
 namespace talus::python {
 
@@ -22,9 +21,8 @@ CellRun& ScriptCellRun::idle() const {
   return *run_;
 }
 
-bool ScriptCellRun::advance(long intervals, const std::function<bool()>& interrupted) {
-  CellRun& run = idle();
-  const Advancing advancing{is_advancing_};
+bool ScriptCellRun::advance(const Advancing& /*advancing*/, long intervals, const std::function<bool()>& interrupted) {
+  CellRun& run = *run_;
   bool is_stopped = false;
   while (intervals > 0 && !is_stopped && !run.finished() && run.failure().empty()) {
     run.advance();

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "solver/io/cell/write_cell.hpp"
+#include "solver/python/advancing.hpp"
 #include "solver/python/script_document.hpp"
 
 namespace talus::python {
@@ -25,9 +26,11 @@ class ScriptCellRun {
   ScriptCellRun(const ScriptCellRun&) = delete;
   ScriptCellRun& operator=(const ScriptCellRun&) = delete;
 
+  /// Needed to advance; the run is not idle as long as it exists. Errors: as idle().
+  [[nodiscard]] Advancing begin() { return Advancing{is_advancing_}; }
   /// Advances by up to this number of intervals between outputs, fewer if `interrupted` returns true; false if none is
-  /// left: the run has ended or failed. Errors: as idle().
-  bool advance(long intervals, const std::function<bool()>& interrupted = {});
+  /// left: the run has ended or failed. `advancing`: of begin().
+  bool advance(const Advancing& advancing, long intervals, const std::function<bool()>& interrupted = {});
   /// The run. Errors: std::runtime_error while it advances: another thread, or a handler of a signal, must not use it
   /// then.
   CellRun& idle() const;

@@ -1,12 +1,13 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
+#include "solver/app/sweep/sweep_runs.hpp"
 #include "solver/base/error.hpp"
 #include "solver/io/file/toml_document.hpp"
-#include "solver/io/file/toml_field.hpp"
 
 namespace talus::python {
 
@@ -48,12 +49,11 @@ class ScriptDocument {
   }
 
   /// The scene with other values of some fields, set in the document as a sweep does. Errors: InputError for a field
-  /// that is not there; SceneInputError for a wrong value.
+  /// that is not there, or given twice; SceneInputError for a wrong value.
   [[nodiscard]] ScriptDocument with(const FieldValues& fields) const {
-    TomlValue document = document_;
-    for (const auto& [field, value] : fields)
-      set_field(document, field, value);
-    return {std::move(document), name_};
+    const app::SweptRun run{{}, fields};
+    app::check_fields(document_, run);
+    return {app::with_parameters(document_, run), name_};
   }
 
   const TomlValue& document() const { return document_; }
@@ -67,7 +67,8 @@ class ScriptDocument {
 };
 
 /// The text of the file of a scene, with which documents are read: of a deck of 1993 that of the scene file that it is
-/// converted to. Errors: IoError; SceneInputError, also for CNTRL.DAT, which has no units.
-[[nodiscard]] std::string script_text(const std::string& file);
+/// converted to. `place` names the field that gives the file, if one does. Errors: IoError; SceneInputError, also for
+/// CNTRL.DAT, which has no units.
+[[nodiscard]] std::string script_text(const std::string& file, std::string_view place = {});
 
 }  // namespace talus::python

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "solver/base/error.hpp"
-#include "solver/python/advancing.hpp"
 #include "solver/run/simulate.hpp"
 #include "solver/run/snapshot.hpp"
 #include "solver/state/state_archive.hpp"
@@ -47,9 +46,8 @@ const ScriptSimulation& ScriptSimulation::idle() const {
   return *this;
 }
 
-bool ScriptSimulation::advance(long steps, const std::function<bool()>& interrupted) {
-  if (idle().outcome_ || steps <= 0) return !outcome_;
-  const Advancing advancing{is_advancing_};
+bool ScriptSimulation::advance(const Advancing& /*advancing*/, long steps, const std::function<bool()>& interrupted) {
+  if (outcome_ || steps <= 0) return !outcome_;
   const long until = steps < steps_ - run_state_.step ? run_state_.step + steps : steps_;
   // One step leaves the last finite state as it is.
   std::optional<RunState> before;

@@ -8,6 +8,7 @@
 
 #include "solver/base/archive.hpp"
 #include "solver/dynamics/rigid_body_system.hpp"
+#include "solver/python/advancing.hpp"
 #include "solver/python/script_scene.hpp"
 #include "solver/run/outcome.hpp"
 #include "solver/run/run_state.hpp"
@@ -28,9 +29,11 @@ class ScriptSimulation {
   /// use it then.
   const ScriptSimulation& idle() const;
 
+  /// Needed to advance; the run is not idle as long as it exists. Errors: as idle().
+  [[nodiscard]] Advancing begin() { return Advancing{is_advancing_}; }
   /// Takes up to `steps` steps, fewer if `interrupted` returns true after one; false if none is left: the run has ended
-  /// or diverged, and the state is the last one whose numbers are finite. Errors: as idle().
-  bool advance(long steps, const std::function<bool()>& interrupted = {});
+  /// or diverged, and the state is the last one whose numbers are finite. `advancing`: of begin().
+  bool advance(const Advancing& advancing, long steps, const std::function<bool()>& interrupted = {});
   /// Puts the run back to the time of its start, with other coordinates and velocities if they are given. Errors:
   /// InputError for a list of another length than the scene has coordinates, or numbers that are not finite; as idle().
   void restart(const std::optional<std::vector<double>>& q, const std::optional<std::vector<double>>& v);

@@ -28,7 +28,7 @@ PlannedSweep plan_sweep(const std::string& file) {
   app::SweepFile described = app::read_sweep(read_text(file), file);
   try {
     const std::string name = described.base.string();
-    TomlValue document = of_scene(name, [&] { return parse_toml(script_text(name), name); });
+    TomlValue document = of_scene(name, [&] { return parse_toml(script_text(name, file + ": base"), name); });
     std::vector<app::SweptRun> runs = app::swept_runs(described).runs;
     app::check_fields(document, runs.front());
     return {base_of(std::move(document), name), std::move(runs), std::move(described.outputs), described.limits};
@@ -41,7 +41,13 @@ PlannedSweep plan_sweep(const std::string& file) {
 
 ScriptSweep sweep_document(const TomlValue& document, const std::string& name, const std::vector<FieldValues>& runs,
                            const SweepArguments& arguments) {
-  const app::SweepBase base{document, name, arguments.outputs};
+  for (auto output = arguments.outputs.begin(); output != arguments.outputs.end(); ++output)
+    if (std::find(arguments.outputs.begin(), output, *output) != output)
+      throw InputError{fmt::format("outputs: found '{}' twice; remove one", *output)};
+  app::SweepBase base{document, name};
+  base.choose(arguments.outputs);
+  for (const FieldValues& fields : runs)
+    app::check_fields(document, {{}, fields});
   ScriptSweep sweep;
   for (const app::SweepOutput& output : base.outputs())
     sweep.outputs.push_back(output.name);

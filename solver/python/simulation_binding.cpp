@@ -27,7 +27,7 @@ py::cpp_function pose_row(Row Poses::*row) {
 
 /// One step is too short to give up the interpreter's lock.
 bool advance_simulation(ScriptSimulation& simulation, long steps) {
-  return steps == 1 ? simulation.advance(1) : advance(simulation, steps, "steps");
+  return steps == 1 ? simulation.advance(simulation.begin(), 1) : advance(simulation, steps, "steps");
 }
 
 py::dict energies(const ScriptSimulation& simulation) {
