@@ -97,9 +97,9 @@ int serve(const ServeOptions& options) {
   std::atomic<bool> has_ended{false};
   std::thread watcher{[&] {
     constexpr auto interval = std::chrono::milliseconds{20};
-    while (!interrupted() && !has_ended)
-      std::this_thread::sleep_for(interval);
-    server.stop();
+    // Until the server has started, it cannot be stopped.
+    for (; !has_ended; std::this_thread::sleep_for(interval))
+      if (interrupted()) server.stop();
   }};
   const bool is_served = server.listen_after_bind();
   has_ended = true;
