@@ -36,11 +36,12 @@ int capacity(const CapacityOptions& options, const DrawingSink& sink) {
   SweepFolder folder;
   folder.folder = options.folder.empty() ? name.stem() : fs::path{options.folder};
   folder.title = file.title, folder.limits = file.limits;
-  folder.base_text = base_text(file.base);
+  folder.base_text = base_text(file.base, name.string() + ": base");
   folder.outputs.assign(capacity_outputs.begin(), capacity_outputs.end());
   const std::string base_name = is_deck(file.base) ? "base.toml" : file.base.string();
   const RockRuns rocks{folder.base_text, base_name, file};
-  const SweepBase base{folder.base_text, base_name, folder.outputs};
+  SweepBase base{parse_toml(folder.base_text, base_name), base_name};
+  base.choose(folder.outputs);
   make_folder(folder.folder);
   const FolderLock lock{folder.folder};
   CapacityStudy study{file, folder, base, rocks, options.threads};

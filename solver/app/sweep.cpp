@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -11,6 +12,8 @@
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
+#include <string>
 #include <thread>
 
 #include "reports/base/error.hpp"
@@ -134,13 +137,13 @@ int plan(const SweepOptions& options) {
   sweep.folder = options.folder.empty() ? file.stem() : fs::path{options.folder};
   sweep.title = described.title;
   sweep.outputs = described.outputs, sweep.limits = described.limits;
-  sweep.base_text = base_text(described.base);
+  sweep.base_text = base_text(described.base, file.string() + ": base");
   const std::string base_name = is_deck(described.base) ? "base.toml" : described.base.string();
-  static_cast<void>(SweepBase{sweep.base_text, base_name, {}});  // errors of the scene name its file
-  const SweepBase base = of_file(file, [&] { return SweepBase{sweep.base_text, base_name, sweep.outputs}; });
+  SweepBase base{parse_toml(sweep.base_text, base_name), base_name};
+  of_file(file, [&] { base.choose(sweep.outputs); });
   SweptRuns made = of_file(file, [&] { return swept_runs(described); });
   sweep.runs = std::move(made.runs);
-  of_file(file, [&] { check_fields(parse_toml(sweep.base_text, base_name), sweep.runs.front()); });
+  of_file(file, [&] { check_fields(base.document(), sweep.runs.front()); });
   const std::vector<Sample> samples = samples_of(sweep, base);
   if (std::ranges::all_of(samples, [](const Sample& of) { return of.result.end == SweepEnd::refused; })) {
     throw InputError{fmt::format("{}: run {} is refused, as are all that were tried: {}", file.string(),
@@ -148,9 +151,10 @@ int plan(const SweepOptions& options) {
   }
   write_sweep_folder(sweep);
   double seconds = 0.0, evaluations = 0.0, bytes = 0.0;
+  const std::string key = sweep.key();
   for (const Sample& sample : samples) {
     seconds += sample.seconds, evaluations += static_cast<double>(sample.result.evaluations);
-    bytes += static_cast<double>(result_line(sample.result).size()) +
+    bytes += static_cast<double>(result_line(sample.result, key).size()) +
              20.0 * static_cast<double>(sample.result.values.empty() ? sweep.outputs.size() : 0);
   }
   const double scale = static_cast<double>(sweep.runs.size()) / static_cast<double>(samples.size());
@@ -217,7 +221,7 @@ int run(const SweepOptions& options) {
   Interruption interruption;
   const auto interrupted = [&] { return interruption.signal() != 0; };
   if (!missing.empty()) {
-    ResultFile file{part.folder};
+    ResultFile file{part};
     RunCounter counter{part.runs.size() - missing.size(), part.runs.size()};
     parallel_for(missing.size(), options.threads, [&](std::size_t i) {
       if (interrupted()) return;
@@ -268,10 +272,13 @@ int collect(const SweepOptions& options) {
                     options.folder, counts.missing(), counts.runs, shell_word(options.folder))};
   }
   if (!options.partial && !known.duplicates.empty()) {
+    std::set<std::string> files;
+    for (const auto& [id, file] : known.duplicates)
+      files.insert(file.string());
     throw InputError{
-        fmt::format("{}: run {} has several results, as have {} in all; give --partial to take the first "
-                    "one of each, in the order of the files' names",
-                    options.folder, known.duplicates.front(), known.duplicates.size())};
+        fmt::format("{}: run {} has several results, as have {} in all; remove {} and run the sweep again, or give "
+                    "--partial to take the first one of each, in the order of the files' names",
+                    options.folder, known.duplicates.front().first, known.duplicates.size(), fmt::join(files, ", "))};
   }
   if (counts.done() == 0) throw InputError{fmt::format("{}: no run has a result", options.folder)};
   const fs::path csv = sweep.folder / "results.csv", json = sweep.folder / "results.json";

@@ -226,9 +226,9 @@ void add_sweep_readers(std::vector<Reader>& readers) {
       {.name = "sweep_result",
        .file = "result.json",
        .corpus =
-           {R"({"id":"b1","end":"finished","time":0.2,"evaluations":200,"verdict":"stopped","values":[-5.1,null]})",
-            R"({"id":"b1","end":"diverged","reason":"why","time":0.2,"evaluations":200,"values":[]})"},
-       .read = lines(app::result_of_line)});
+           {R"({"id":"b1","sweep":"0","end":"finished","time":0.2,"evaluations":200,"verdict":"stopped","values":[-5.1,null]})",
+            R"({"id":"b1","sweep":"0","end":"diverged","reason":"why","time":0.2,"evaluations":200,"values":[]})"},
+       .read = lines([](const std::string& line) { return app::result_of_line(line, "0"); })});
 }
 
 /// Adds readers of files that a run writes.

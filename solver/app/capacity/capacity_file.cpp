@@ -113,6 +113,8 @@ void read_rocks(SceneTable& table, const fs::path& file, RockHazard& hazard) {
     columns = read_quantity_table(file, allowed, si);
   } catch (const InputError& error) {
     table.fail("table", error.what());
+  } catch (const IoError& error) {
+    throw IoError{fmt::format("{}: hazard: table: {}", table.source().file, error.what())};
   }
   const auto column_named = [&](const std::string& name) {
     return std::ranges::find(columns, name, &QuantityColumn::name);
@@ -180,6 +182,13 @@ CapacityFile read_capacity(std::string_view text, const fs::path& name) {
     if (file.has("along")) made.positions = file.quantities_or_one("along", dimension::length);
     constexpr std::size_t maximum_maps = 100;
     const auto count = [](const std::vector<double>& list) { return std::max<std::size_t>(1, list.size()); };
+    for (const auto& [key, list] :
+         {std::pair{"height", &made.heights}, {"spin", &made.spins}, {"along", &made.positions}}) {
+      std::vector<double> sorted = *list;
+      std::ranges::sort(sorted);
+      if (std::ranges::adjacent_find(sorted) != sorted.end())
+        file.report(key, fmt::format("found {}, with one value twice; remove it", found(*file.value(key))));
+    }
     if (const std::size_t maps = count(made.heights) * count(made.spins) * count(made.positions); maps > maximum_maps)
       file.report("height", fmt::format("with `spin` and `along` there are {} maps; there may be at most {}", maps,
                                         maximum_maps));

@@ -104,7 +104,7 @@ std::optional<std::vector<RockTrial>> CapacityStudy::executed(const std::vector<
     runs_.push_back(std::move(run));
   }
   if (!missing.empty()) {
-    ResultFile file{folder_->folder};
+    ResultFile file{*folder_};
     std::mutex one_at_a_time;
     parallel_for(missing.size(), threads_, [&](std::size_t i) {
       if (interrupted_()) return;

@@ -158,6 +158,7 @@ FitFile read_fit(std::string_view text, const fs::path& name) {
   SceneTable file{source, document, ""};
   const fs::path folder = name.parent_path();
   FitFile made;
+  made.file = name;
   source.collect();
   try {
     file.allow({"title", "scene", "data", "input", "quantity", "parameter", "bootstrap", "limits"});

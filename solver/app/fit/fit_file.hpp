@@ -43,6 +43,7 @@ struct FittedField {
 
 /// Measurements and the parameters of a scene that are fitted to them.
 struct FitFile {
+  std::filesystem::path file;  ///< named in errors
   std::string title;
   std::filesystem::path scene, data;  ///< relative to the current folder
   std::vector<FitInput> inputs;

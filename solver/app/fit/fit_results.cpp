@@ -94,7 +94,9 @@ std::string fit_text(const FitFile& file, const Fit& fit) {
   for (std::size_t i = 0; i < file.parameters.size(); ++i) {
     const FittedField& field = file.parameters[i];
     line(head(field.field, field.unit), fmt::format("{:.5g}", fit.values[i]), fmt::format("{:.3g}", fit.errors[i]),
-         fit.intervals.empty() ? "" : fmt::format("{:.4g} to {:.4g}", fit.intervals[i][0], fit.intervals[i][1]));
+         fit.intervals.empty() ? ""
+         : fit.undetermined[i] ? "not determined"
+                               : fmt::format("{:.4g} to {:.4g}", fit.intervals[i][0], fit.intervals[i][1]));
   }
   text += file.has_uncertainties()
               ? fmt::format("root mean square of the deviations: {:.3g} uncertainties\n", root_mean_square(fit))
@@ -132,7 +134,8 @@ std::string fit_json(const FitFile& file, const Fit& fit, const std::vector<doub
                    {"interval", nullptr},
                    {"at_bound", static_cast<bool>(fit.at_bound[i])},
                    {"undetermined", static_cast<bool>(fit.undetermined[i])}};
-    if (!fit.intervals.empty()) parameter["interval"] = fit.intervals[i];
+    // The samples of a parameter without effect stay where the search puts them.
+    if (!fit.intervals.empty() && !fit.undetermined[i]) parameter["interval"] = fit.intervals[i];
     json["parameters"].push_back(std::move(parameter));
   }
   json["correlation"] = Json::array();

@@ -19,21 +19,15 @@ namespace {
 
 /// The scene with the results as outputs. Errors: InputError, of a result with its place in the file.
 SweepBase base_of(const FitFile& file) {
-  const std::string text = base_text(file.scene), name = file.scene.string();
-  static_cast<void>(SweepBase{text, name, {}});
+  const std::string name = file.scene.string();
+  SweepBase base{parse_toml(base_text(file.scene, file.file.string() + ": scene"), name), name};
   std::vector<std::string> outputs;
   for (const FitQuantity& quantity : file.quantities) {
+    base.choose({quantity.result}, quantity.where + ": result");
     outputs.push_back(quantity.result);
-    try {
-      static_cast<void>(SweepBase{text, name, {quantity.result}});
-    } catch (const InputError& error) {
-      constexpr std::string_view prefix = "outputs: ";
-      const std::string message = error.what();
-      throw InputError{fmt::format("{}: result: {}", quantity.where,
-                                   message.starts_with(prefix) ? message.substr(prefix.size()) : message)};
-    }
   }
-  return {text, name, outputs};
+  base.choose(std::move(outputs));
+  return base;
 }
 
 /// Dimension and SI size of a unit; a pure number without one.
@@ -62,28 +56,45 @@ FitStudy::FitStudy(const FitFile& file, unsigned threads) : file_{&file}, thread
     }
     sources_.push_back({i, si_size(base_.units(), output.dimension) / divisor.value / column.value});
   }
-  // Each field alone, and the first row's scene, show errors before anything is run.
-  const TomlValue scene = parse_toml(base_text(file.scene), file.scene.string());
-  SweptRun tried;
-  const auto try_field = [&](const std::string& where, const std::string& field, const TomlValue& value) {
-    try {
-      SweptRun run;
-      run.parameters.emplace_back(field, value);
-      static_cast<void>(base_.end(run));
-      tried.parameters.push_back(run.parameters.front());
-      check_fields(scene, tried);
-    } catch (const InputError& error) {
-      throw InputError{fmt::format("{}: field: {}", where, error.what())};
-    }
-  };
-  for (const FitInput& input : file.inputs)
-    try_field(input.where, input.field, value_in(input.values.front(), input.unit));
+  check_first_row();
+}
+
+void FitStudy::check_first_row() const {
   std::vector<double> start;
-  for (const FittedField& field : file.parameters) {
+  std::vector<std::string> places;
+  for (const FitInput& input : file_->inputs)
+    places.push_back(input.where);
+  for (const FittedField& field : file_->parameters) {
     start.push_back(field.parameter.start);
-    try_field(field.where, field.field, value_in(start.back(), field.unit));
+    places.push_back(field.where);
   }
-  static_cast<void>(base_.end(run(start, 0)));
+  const SweptRun first = run(start, 0);
+  SweptRun tried;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    try {
+      tried.parameters.push_back(first.parameters[i]);
+      check_fields(base_.document(), tried);
+    } catch (const InputError& error) {
+      throw InputError{fmt::format("{}: field: {}", places[i], error.what())};
+    }
+  }
+  try {
+    static_cast<void>(base_.end(first));
+  } catch (const InputError& error) {
+    // The field that has the same error alone; of several that only together are wrong, the file.
+    const auto has_it = [&](std::size_t i) {
+      try {
+        static_cast<void>(base_.end({{}, {first.parameters[i]}}));
+      } catch (const InputError& alone) {
+        return std::string_view{alone.what()} == error.what();
+      }
+      return false;
+    };
+    for (std::size_t i = 0; i < places.size(); ++i)
+      if (has_it(i)) throw InputError{fmt::format("{}: field: {}", places[i], error.what())};
+    throw InputError{fmt::format("{}: the first row of the data with the parameters at their start: {}",
+                                 file_->file.string(), error.what())};
+  }
 }
 
 SweptRun FitStudy::run(const std::vector<double>& parameters, std::size_t row) const {
@@ -148,7 +159,7 @@ Fit FitStudy::fitted(const std::function<bool()>& interrupted, const std::functi
     return fit(parameters, deviations, {.rows = file_->rows, .samples = file_->samples, .seed = file_->seed},
                file_->has_uncertainties());
   } catch (const InputError& error) {
-    throw InputError{fmt::format("{}: {}{}", file_->scene.string(), error.what(),
+    throw InputError{fmt::format("{}: {}{}", file_->file.string(), error.what(),
                                  failure_.empty() ? "" : fmt::format("; last failure: {}", failure_))};
   }
 }

@@ -37,6 +37,8 @@ class FitStudy {
     double factor{1.0};  ///< from the unit of the output, over that of a divisor, to that of the column
   };
 
+  /// Finds wrong fields before anything is run. Errors: InputError with the place of the field.
+  void check_first_row() const;
   SweptRun run(const std::vector<double>& parameters, std::size_t row) const;
   /// As results(), of some rows.
   std::vector<double> results(const std::vector<double>& parameters, const std::vector<std::size_t>& rows);

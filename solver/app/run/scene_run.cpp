@@ -169,6 +169,17 @@ RunQuality SceneRun::quality(const Outcome& outcome) const {
   return found;
 }
 
+std::vector<std::string> SceneRun::warnings() const {
+  std::vector<std::string> all = overlap_warnings_;
+  const auto add = [&](const std::vector<std::string>& found) { all.insert(all.end(), found.begin(), found.end()); };
+  add(watch_.warnings());
+  if (fence_) {
+    add(geometry_warnings(*file_));
+    add(scenes::implausible_motion(file_->fence->fence, fence_->summary()));
+  }
+  return all;
+}
+
 RunRecord SceneRun::record(Outcome outcome) const {
   RunRecord record;
   record.outcome = std::move(outcome);
@@ -190,16 +201,8 @@ RunRecord SceneRun::record(Outcome outcome) const {
   record.failures = failures_.failures();
   record_history(record, recorder_);
   record.quality = quality(record.outcome);
-  const auto warn = [&](const std::vector<std::string>& found) {
-    record.warnings.insert(record.warnings.end(), found.begin(), found.end());
-  };
-  warn(overlap_warnings_);
-  warn(watch_.warnings());
-  if (fence_) {
-    record.fence = fence_->summary();
-    warn(geometry_warnings(*file_));
-    warn(scenes::implausible_motion(file_->fence->fence, *record.fence));
-  }
+  record.warnings = warnings();
+  if (fence_) record.fence = fence_->summary();
   record.watched = watch_lines(watch_, *scene_);
   outputs_.report(record);
   return record;

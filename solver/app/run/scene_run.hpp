@@ -40,8 +40,10 @@ class SceneRun {
   bool ends_early() const { return ends_early_; }
   /// The monitor of the run, with its results so far.
   const RunMonitor& watch() const { return watch_; }
-  /// Warnings about a start that is probably not intended; the first warnings of the record.
+  /// Warnings about a start that is probably not intended; the first ones of warnings().
   [[nodiscard]] std::vector<std::string> start_warnings() const;
+  /// Warnings about the run so far.
+  [[nodiscard]] std::vector<std::string> warnings() const;
 
   const RunState& run_state() const { return run_state_; }
   const Dynamics& dynamics() const { return dynamics_; }

@@ -45,13 +45,8 @@ std::optional<std::pair<Indexed, std::string_view>> impact_parts(std::string_vie
 }  // namespace
 
 SceneNumbers::SceneNumbers(const SceneFile& file, const std::vector<std::string>& names) : file_{&file} {
-  for (const std::string& name : names) {
-    try {
-      add(name);
-    } catch (const InputError& error) {
-      throw InputError{fmt::format("outputs: {}", error.what())};
-    }
-  }
+  for (const std::string& name : names)
+    add(name);
 }
 
 void SceneNumbers::add(const std::string& name) {
@@ -120,6 +115,7 @@ bool SceneNumbers::add_peak(const std::string& name) {
   if (!reduction.starts_with("peak")) return false;
   const auto of = indexed(reduction);
   if (!of || (of->name != "peak" && of->name != "peak_time")) {
+    if (name.starts_with(impact_prefix)) return false;  // an impact without its index
     throw InputError{fmt::format(
         "found \"{}\"; give a local maximum with its index from 0, {}.peak[0], or its time, {}.peak_time[0]", name,
         name.substr(0, dot), name.substr(0, dot))};
@@ -178,13 +174,13 @@ std::optional<double> SceneNumbers::value(const Source& source, const SceneRun& 
   return quantity.of(extreme.minimum, extreme.maximum, run.recorder().row()[quantity.column]);
 }
 
-std::vector<double> SceneNumbers::values(const SceneRun& run, std::string& missing) const {
+std::vector<double> SceneNumbers::values(const SceneRun& run, std::vector<std::string>& reasons) const {
   std::vector<double> values;
   for (std::size_t i = 0; i < sources_.size(); ++i) {
     std::string reason;
     values.push_back(value(sources_[i], run, reason).value_or(std::numeric_limits<double>::quiet_NaN()));
     if (reason.empty() && !std::isfinite(values.back())) reason = "it is not finite";
-    if (!reason.empty()) missing += (missing.empty() ? "" : "; ") + no_value(outputs_[i].name, reason);
+    if (!reason.empty()) reasons.push_back(no_value(outputs_[i].name, reason));
   }
   return values;
 }

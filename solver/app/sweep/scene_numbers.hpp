@@ -37,8 +37,8 @@ class SceneNumbers {
   /// run must outlive it.
   [[nodiscard]] Observer observer(const SceneRun& run);
   /// The numbers of an ended run, in units of its scene. One that does not exist, as of a third impact of a run with
-  /// two, is NaN, and `missing` says why of each.
-  [[nodiscard]] std::vector<double> values(const SceneRun& run, std::string& missing) const;
+  /// two, is NaN, and `reasons` gets why.
+  [[nodiscard]] std::vector<double> values(const SceneRun& run, std::vector<std::string>& reasons) const;
 
  private:
   /// A number of the impact of a contact with this index, counted over the impacts of this contact.

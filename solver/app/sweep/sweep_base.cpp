@@ -1,7 +1,7 @@
 #include "solver/app/sweep/sweep_base.hpp"
 
-#include <algorithm>
-#include <type_traits>
+#include <fmt/format.h>
+
 #include <utility>
 
 #include "solver/base/error.hpp"
@@ -13,18 +13,26 @@
 namespace talus::app {
 namespace {
 
-std::variant<SweptScene, SweptCell> swept(TomlValue document, std::string name, std::vector<std::string> outputs) {
-  if (describes_cell(document)) return SweptCell{std::move(document), std::move(name), std::move(outputs)};
-  return SweptScene{std::move(document), std::move(name), std::move(outputs)};
+std::variant<SweptScene, SweptCell> swept(TomlValue document, std::string name) {
+  if (describes_cell(document)) return SweptCell{std::move(document), std::move(name)};
+  return SweptScene{std::move(document), std::move(name)};
 }
 
 }  // namespace
 
-SweepBase::SweepBase(std::string_view text, const std::string& name, std::vector<std::string> outputs)
-    : SweepBase{parse_toml(text, name), name, std::move(outputs)} {}
+SweepBase::SweepBase(TomlValue document, std::string name) : swept_{swept(std::move(document), std::move(name))} {}
 
-SweepBase::SweepBase(TomlValue document, std::string name, std::vector<std::string> outputs)
-    : swept_{swept(std::move(document), std::move(name), std::move(outputs))} {}
+void SweepBase::choose(std::vector<std::string> outputs, std::string_view place) {
+  try {
+    std::visit([&](auto& of) { of.choose(std::move(outputs)); }, swept_);
+  } catch (const InputError& error) {
+    throw InputError{fmt::format("{}: {}", place, error.what())};
+  }
+}
+
+const TomlValue& SweepBase::document() const {
+  return std::visit([](const auto& of) -> const TomlValue& { return of.document(); }, swept_);
+}
 
 const std::vector<SweepOutput>& SweepBase::outputs() const {
   return std::visit([](const auto& of) -> const std::vector<SweepOutput>& { return of.outputs(); }, swept_);
@@ -48,13 +56,18 @@ SweepResult SweepBase::result(const SweptRun& run, const SweepLimits& limits,
   return std::visit([&](const auto& of) { return of.result(run, limits, interrupted); }, swept_);
 }
 
-std::string base_text(const std::filesystem::path& file) {
-  if (!is_deck(file)) return read_text(file);
-  if (describes_cell(file)) {
-    throw InputError{file.string() +
-                     ": CNTRL.DAT has no units; write the cell as a scene file with [cell] (talus new cell)"};
+std::string base_text(const std::filesystem::path& file, std::string_view place) {
+  try {
+    if (!is_deck(file)) return read_text(file);
+    if (describes_cell(file)) {
+      throw InputError{file.string() +
+                       ": CNTRL.DAT has no units; write the cell as a scene file with [cell] (talus new cell)"};
+    }
+    return write_fence(read_deck(file));
+  } catch (const IoError& error) {
+    if (place.empty()) throw;
+    throw IoError{fmt::format("{}: {}", place, error.what())};
   }
-  return write_fence(read_deck(file));
 }
 
 }  // namespace talus::app

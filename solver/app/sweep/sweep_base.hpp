@@ -15,13 +15,14 @@ namespace talus::app {
 /// What the runs of a sweep change, a scene of bodies or a shear cell, and the numbers that are read of each run.
 class SweepBase {
  public:
-  /// `text`: TOML; `name` is the file named in errors. Errors: InputError for a scene or cell that is wrong, or outputs
-  /// that it does not have.
-  SweepBase(std::string_view text, const std::string& name, std::vector<std::string> outputs);
-  /// The same of a parsed TOML text.
-  SweepBase(TomlValue document, std::string name, std::vector<std::string> outputs);
+  /// Without outputs; `name` is the file named in errors. Errors: InputError for a scene or cell that is wrong.
+  SweepBase(TomlValue document, std::string name);
 
-  /// The outputs of the base, with names and dimensions.
+  /// Takes these outputs in place of others. `place` begins errors: InputError for outputs that the base does not have.
+  void choose(std::vector<std::string> outputs, std::string_view place = "outputs");
+
+  const TomlValue& document() const;
+  /// The outputs, with names and dimensions.
   const std::vector<SweepOutput>& outputs() const;
   const UnitSystem& units() const;
   bool is_fence() const;
@@ -38,8 +39,8 @@ class SweepBase {
   std::variant<SweptScene, SweptCell> swept_;
 };
 
-/// The text of a scene, cell or deck of 1993 as TOML. Errors: IoError; InputError for a wrong deck, or for CNTRL.DAT,
-/// which has no units.
-[[nodiscard]] std::string base_text(const std::filesystem::path& file);
+/// The text of a scene, cell or deck of 1993 as TOML. `place` names the field that gives the file, if one does. Errors:
+/// IoError that begins with `place`; InputError for a wrong deck, or for CNTRL.DAT, which has no units.
+[[nodiscard]] std::string base_text(const std::filesystem::path& file, std::string_view place = {});
 
 }  // namespace talus::app

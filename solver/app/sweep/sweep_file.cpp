@@ -157,7 +157,7 @@ SweepAxis read_rows(SceneTable& table, const fs::path& folder) {
       }
     }
   } catch (const records::FileError& error) {
-    throw IoError{error.what()};
+    throw IoError{fmt::format("{}: axis: table: {}", table.source().file, error.what())};
   } catch (const records::RecordError& error) {
     throw InputError{error.what()};
   }

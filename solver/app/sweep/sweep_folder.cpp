@@ -15,6 +15,7 @@
 #include "solver/base/error.hpp"
 #include "solver/io/file/atomic_file.hpp"
 #include "solver/io/file/toml_document.hpp"
+#include "solver/io/output/checkpoint.hpp"
 
 namespace talus::app {
 namespace {
@@ -92,6 +93,20 @@ SweepFolder read_description(const fs::path& folder, std::size_t& count) {
   return sweep;
 }
 
+/// Calls visit(file, result) for each line of the results. Errors: IoError; InputError with file and line.
+template <class Visit>
+void for_each_result(const SweepFolder& sweep, Visit&& visit) {
+  const std::string key = sweep.key();
+  for (const fs::path& file : result_files(sweep.folder)) {
+    for_each_line(file, [&](const std::string& line) {
+      SweepResult result = result_of_line(line, key);
+      if (const std::size_t count = result.values.size(); count != sweep.outputs.size() && count != 0)
+        throw InputError{fmt::format("found {} values; there are {} outputs", count, sweep.outputs.size())};
+      visit(file, std::move(result));
+    });
+  }
+}
+
 /// Errors: InputError if results in the folder are of another base, or have other outputs or limits.
 void check_results(const SweepFolder& sweep) {
   const std::set<fs::path> files = result_files(sweep.folder);
@@ -115,7 +130,16 @@ void check_results(const SweepFolder& sweep) {
 }  // namespace
 
 // Reasons of refused runs name the file, but not the folder: results are the same in any.
-SweepBase SweepFolder::base() const { return {base_text, base_name, outputs}; }
+SweepBase SweepFolder::base() const {
+  SweepBase base{parse_toml(base_text, base_name), base_name};
+  base.choose(outputs);
+  return base;
+}
+
+std::string SweepFolder::key() const {
+  const Json json{base_text, outputs, limits.time, limits.evaluations};
+  return fnv1a(json.dump(-1, ' ', false, Json::error_handler_t::replace));
+}
 
 SweepFolder SweepFolder::part(std::size_t number, std::size_t of) && {
   std::vector<SweptRun> kept;
@@ -147,18 +171,19 @@ SweepFolder read_sweep_folder(const fs::path& folder) {
   if (sweep.runs.size() != count)
     throw InputError{fmt::format("{}: found {} runs; {} has {}; plan the sweep again",
                                  (folder / manifest_name).string(), sweep.runs.size(), description_name, count)};
+  std::vector<SweptRun> made = sweep.runs;
+  set_ids(made);
+  const auto [wrong, right] = std::ranges::mismatch(sweep.runs, made, {}, &SweptRun::id, &SweptRun::id);
+  if (wrong != sweep.runs.end())
+    throw InputError{fmt::format("{}:{}: found the id {}; these parameters have {}; plan the sweep again",
+                                 (folder / manifest_name).string(), wrong - sweep.runs.begin() + 1, wrong->id,
+                                 right->id)};
   return sweep;
 }
 
 std::vector<SweepResult> all_results(const SweepFolder& sweep) {
   std::vector<SweepResult> all;
-  for (const fs::path& file : result_files(sweep.folder)) {
-    for_each_line(file, [&](const std::string& line) {
-      all.push_back(result_of_line(line));
-      if (const std::size_t count = all.back().values.size(); count != sweep.outputs.size() && count != 0)
-        throw InputError{fmt::format("found {} values; there are {} outputs", count, sweep.outputs.size())};
-    });
-  }
+  for_each_result(sweep, [&](const fs::path&, SweepResult&& result) { all.push_back(std::move(result)); });
   return all;
 }
 
@@ -167,23 +192,23 @@ KnownResults read_results(const SweepFolder& sweep) {
   for (const SweptRun& run : sweep.runs)
     ids.insert(run.id);
   KnownResults known;
-  for (SweepResult& result : all_results(sweep)) {
+  for_each_result(sweep, [&](const fs::path& file, SweepResult&& result) {
     if (!ids.contains(result.id)) {
       ++known.of_others;
-      continue;
+      return;
     }
     std::string id = result.id;
-    if (!known.by_id.emplace(id, std::move(result)).second) known.duplicates.push_back(std::move(id));
-  }
+    if (!known.by_id.emplace(id, std::move(result)).second) known.duplicates.push_back({std::move(id), file});
+  });
   return known;
 }
 
-ResultFile::ResultFile(const fs::path& folder) {
-  make_folder(folder / results_name);
+ResultFile::ResultFile(const SweepFolder& sweep) : key_{sweep.key()} {
+  make_folder(sweep.folder / results_name);
   char host[256] = "host";
   static_cast<void>(::gethostname(host, sizeof host - 1));
   for (int number = 0; descriptor_ < 0; ++number) {
-    file_ = folder / results_name / fmt::format("{}-{}-{}.jsonl", host, ::getpid(), number);
+    file_ = sweep.folder / results_name / fmt::format("{}-{}-{}.jsonl", host, ::getpid(), number);
     descriptor_ = ::open(file_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_APPEND | O_CLOEXEC, 0666);
     if (descriptor_ < 0 && errno != EEXIST) fail(file_);
   }
@@ -192,15 +217,22 @@ ResultFile::ResultFile(const fs::path& folder) {
 ResultFile::~ResultFile() { ::close(descriptor_); }
 
 void ResultFile::add(const SweepResult& result) {
-  const std::string line = result_line(result) + "\n";
+  const std::string line = result_line(result, key_) + "\n";
   const std::lock_guard lock{one_at_a_time_};
   std::string_view left = line;
   while (!left.empty()) {
     const ssize_t written = ::write(descriptor_, left.data(), left.size());
     if (written < 0 && errno == EINTR) continue;
-    if (written < 0) fail(file_);
+    if (written < 0) {
+      const int reason = errno;
+      // Without its end the line would be one with the next, if the disk has space again.
+      static_cast<void>(::ftruncate(descriptor_, size_));
+      errno = reason;
+      fail(file_);
+    }
     left.remove_prefix(static_cast<std::size_t>(written));
   }
+  size_ += static_cast<off_t>(line.size());
 }
 
 void ResultFile::flush() {

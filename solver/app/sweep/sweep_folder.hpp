@@ -1,10 +1,13 @@
 #pragma once
 
+#include <sys/types.h>
+
 #include <cstddef>
 #include <filesystem>
 #include <map>
 #include <mutex>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "solver/app/sweep/sweep_base.hpp"
@@ -29,6 +32,8 @@ struct SweepFolder {
   std::vector<SweptRun> runs;
 
   [[nodiscard]] SweepBase base() const;
+  /// 16 hexadecimal digits that follow from base, outputs and limits: results of equal ones are of the same sweep.
+  [[nodiscard]] std::string key() const;
   /// Part `number` >= 1 of `of` equal parts: every run of that number, and each of-th after it.
   [[nodiscard]] SweepFolder part(std::size_t number, std::size_t of) &&;
 };
@@ -48,8 +53,9 @@ void write_sweep_folder(const SweepFolder& sweep);
 /// Results of a sweep by the ids of the runs.
 struct KnownResults {
   std::map<std::string, SweepResult> by_id;
-  std::vector<std::string> duplicates;  ///< ids of runs with several results
-  std::size_t of_others{};              ///< number of results of runs that are not in the manifest
+  std::vector<std::pair<std::string, std::filesystem::path>> duplicates;  ///< ids of runs that had results, with the
+                                                                          ///< files of the further ones
+  std::size_t of_others{};  ///< number of results of runs that are not in the manifest
 };
 /// The results of the manifest's runs. Errors: as all_results().
 [[nodiscard]] KnownResults read_results(const SweepFolder& sweep);
@@ -58,7 +64,7 @@ struct KnownResults {
 class ResultFile {
  public:
   /// Errors: IoError.
-  explicit ResultFile(const std::filesystem::path& folder);
+  explicit ResultFile(const SweepFolder& sweep);
   ResultFile(const ResultFile&) = delete;
   ResultFile& operator=(const ResultFile&) = delete;
   ~ResultFile();
@@ -70,7 +76,9 @@ class ResultFile {
 
  private:
   std::filesystem::path file_;
+  std::string key_;
   int descriptor_{-1};
+  off_t size_{};
   std::mutex one_at_a_time_;
 };
 

@@ -42,9 +42,10 @@ std::vector<SweepInput> inputs_of(const SweepFile& sweep) {
 }
 
 SweepBase base_of(const SweepFile& sweep, const std::filesystem::path& file) {
-  const std::string text = base_text(sweep.base), name = sweep.base.string();
-  static_cast<void>(SweepBase{text, name, {}});  // errors of the scene name its file
-  return of_file(file, [&] { return SweepBase{text, name, sweep.outputs}; });
+  const std::string name = sweep.base.string();
+  SweepBase base{parse_toml(base_text(sweep.base, file.string() + ": base"), name), name};
+  of_file(file, [&] { base.choose(sweep.outputs); });
+  return base;
 }
 
 }  // namespace
@@ -63,7 +64,7 @@ SweepFunction::SweepFunction(const std::filesystem::path& file)
         if (axis.rows.size() == 1) fixed_.parameters.push_back(first.parameters.back());
       }
     }
-    check_fields(parse_toml(base_text(sweep_.base), sweep_.base.string()), first);
+    check_fields(base_.document(), first);
   });
 }
 

@@ -19,8 +19,8 @@ std::string no_value(std::string_view output, std::string_view reason) {
   return fmt::format("{} has no value: {}", output, reason);
 }
 
-std::string result_line(const SweepResult& result) {
-  Json json{{"id", result.id}, {"end", Names<SweepEnd>::list[static_cast<std::size_t>(result.end)]}};
+std::string result_line(const SweepResult& result, std::string_view sweep) {
+  Json json{{"id", result.id}, {"sweep", sweep}, {"end", Names<SweepEnd>::list[static_cast<std::size_t>(result.end)]}};
   if (!result.reason.empty()) json["reason"] = result.reason;
   json["time"] = result.time;
   json["evaluations"] = result.evaluations;
@@ -29,9 +29,11 @@ std::string result_line(const SweepResult& result) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-SweepResult result_of_line(const std::string& line) {
+SweepResult result_of_line(const std::string& line, std::string_view sweep) {
   try {
     const Json json = Json::parse(line);
+    if (json.at("sweep").get<std::string>() != sweep)
+      throw InputError{"the result is of another base, or has other outputs or limits; remove it, or plan that sweep"};
     SweepResult result;
     result.id = json.at("id").get<std::string>();
     const auto& names = Names<SweepEnd>::list;

@@ -35,9 +35,10 @@ struct SweepResult {
 /// Why an output of a finished run has no value, as a part of its reason.
 [[nodiscard]] std::string no_value(std::string_view output, std::string_view reason);
 
-/// A result as one line of JSON, and back. Errors: InputError for a line of another form.
-[[nodiscard]] std::string result_line(const SweepResult& result);
-[[nodiscard]] SweepResult result_of_line(const std::string& line);
+/// A result as one line of JSON, and back; `sweep` is SweepFolder::key(). Errors: InputError for a line of another
+/// form, or of another sweep.
+[[nodiscard]] std::string result_line(const SweepResult& result, std::string_view sweep);
+[[nodiscard]] SweepResult result_of_line(const std::string& line, std::string_view sweep);
 
 }  // namespace talus::app
 

@@ -129,20 +129,6 @@ Json parameters_json(const SweptRun& run) {
   return json;
 }
 
-void set_ids(std::vector<SweptRun>& runs) {
-  std::map<std::string, int> copies;
-  std::map<std::string, std::size_t> ids;
-  for (std::size_t number = 0; number < runs.size(); ++number) {
-    std::string text = parameters_json(runs[number]).dump();
-    if (const int copy = copies[text]++; copy > 0) text += fmt::format(" {}", copy);
-    runs[number].id = fnv1a(text);
-    const auto [other, is_new] = ids.emplace(runs[number].id, number);
-    if (!is_new)
-      throw InputError{fmt::format("runs {} and {} have the same id; change one of their values slightly",
-                                   other->second + 1, number + 1)};
-  }
-}
-
 }  // namespace
 
 SweptRuns swept_runs(const SweepFile& sweep) {
@@ -176,11 +162,27 @@ TomlValue with_parameters(TomlValue base, const SweptRun& run) {
 }
 
 void check_fields(TomlValue base, const SweptRun& run) {
-  base = with_parameters(std::move(base), run);
+  // As texts: scripts also give arrays and tables, which no path names.
+  for (const auto& [field, value] : run.parameters)
+    set_field(base, field, TomlValue{std::string{}});
   std::map<const TomlValue*, std::string> fields;
   for (const auto& [field, value] : run.parameters) {
     const auto [other, is_new] = fields.emplace(&field_at(base, field), field);
     if (!is_new) throw InputError{fmt::format("'{}' and '{}' are the same field; remove one", other->second, field)};
+  }
+}
+
+void set_ids(std::vector<SweptRun>& runs) {
+  std::map<std::string, int> copies;
+  std::map<std::string, std::size_t> ids;
+  for (std::size_t number = 0; number < runs.size(); ++number) {
+    std::string text = parameters_json(runs[number]).dump();
+    if (const int copy = copies[text]++; copy > 0) text += fmt::format(" {}", copy);
+    runs[number].id = fnv1a(text);
+    const auto [other, is_new] = ids.emplace(runs[number].id, number);
+    if (!is_new)
+      throw InputError{fmt::format("runs {} and {} have the same id; change one of their values slightly",
+                                   other->second + 1, number + 1)};
   }
 }
 

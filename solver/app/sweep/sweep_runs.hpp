@@ -39,6 +39,8 @@ struct SweptRuns {
 /// cannot have, or that two of them change by equal or different paths.
 void check_fields(TomlValue base, const SweptRun& run);
 
+/// Gives the runs of a sweep their ids. Errors: InputError for two runs with one id.
+void set_ids(std::vector<SweptRun>& runs);
 /// The id of a run with these parameters of which there is one.
 [[nodiscard]] std::string id_of(const SweptRun& run);
 

@@ -94,9 +94,12 @@ std::string sweep_csv(const SweepFolder& sweep, const KnownResults& known, const
     heads.push_back(head(column.name, column.unit));
   heads.insert(heads.end(), {"end", "reason", "time [s]", "evaluations"});
   if (base.is_fence()) heads.emplace_back("verdict");
-  for (const SweepOutput& output : base.outputs())
-    heads.push_back(
-        head(output.name, output.dimension == dimension::number ? "" : symbol(base.units(), output.dimension)));
+  for (const SweepOutput& output : base.outputs()) {
+    // A cell's restitution is a field and a result.
+    const bool is_field = std::ranges::find(parameters, output.name, &ParameterColumn::name) != parameters.end();
+    heads.push_back(head(is_field ? output.name + ".result" : output.name,
+                         output.dimension == dimension::number ? "" : symbol(base.units(), output.dimension)));
+  }
   records::CsvText csv{heads};
   for_each_result(sweep, known, [&](std::size_t number, const SweptRun& run, const SweepResult& result) {
     csv.cell(fmt::format("{}", number));

@@ -40,7 +40,7 @@ std::vector<std::pair<SweepOutput, double>> cell_numbers_named(const CellScene& 
       std::vector<std::string> known;
       for (const auto& [output, value] : all)
         known.push_back(output.name);
-      throw InputError{fmt::format("outputs: {}", unknown_name("number of a cell", name, known).what())};
+      throw unknown_name("number of a cell", name, known);
     }
     named.push_back(*found);
   }
@@ -49,13 +49,16 @@ std::vector<std::pair<SweepOutput, double>> cell_numbers_named(const CellScene& 
 
 }  // namespace
 
-SweptCell::SweptCell(TomlValue document, std::string name, std::vector<std::string> outputs)
-    : name_{std::move(name)}, document_{std::move(document)}, names_{std::move(outputs)} {
+SweptCell::SweptCell(TomlValue document, std::string name)
+    : name_{std::move(name)}, document_{std::move(document)}, units_{*read_cell(document_, name_, {}).units} {}
+
+void SweptCell::choose(std::vector<std::string> outputs) {
   const CellScene scene = read_cell(document_, name_, {});
   CellRun run{scene.cell, scene.plan};
-  for (auto& [output, value] : cell_numbers_named(scene, run, names_))
+  outputs_.clear();
+  for (auto& [output, value] : cell_numbers_named(scene, run, outputs))
     outputs_.push_back(output);
-  units_ = *scene.units;
+  names_ = std::move(outputs);
 }
 
 CellScene SweptCell::cell(const SweptRun& run) const { return read_cell(with_parameters(document_, run), name_, {}); }

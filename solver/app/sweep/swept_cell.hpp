@@ -13,9 +13,13 @@ namespace talus::app {
 /// its standard error.
 class SweptCell {
  public:
-  /// Errors: InputError for a cell that is wrong, or outputs that it does not have.
-  SweptCell(TomlValue document, std::string name, std::vector<std::string> outputs);
+  /// Errors: InputError for a cell that is wrong.
+  SweptCell(TomlValue document, std::string name);
 
+  /// See SweepBase::choose().
+  void choose(std::vector<std::string> outputs);
+
+  const TomlValue& document() const { return document_; }
   const std::vector<SweepOutput>& outputs() const { return outputs_; }
   const UnitSystem& units() const { return units_; }
   /// Time at which a run is planned to end [T]. Errors: InputError for a wrong field or value.

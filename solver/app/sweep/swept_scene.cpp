@@ -1,7 +1,10 @@
 #include "solver/app/sweep/swept_scene.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -21,12 +24,12 @@ void drop_history(SceneFile& file) { file.scene.plan.interval = file.scene.plan.
 
 }  // namespace
 
-SweptScene::SweptScene(TomlValue document, std::string name, std::vector<std::string> outputs)
-    : name_{std::move(name)}, document_{std::move(document)}, names_{std::move(outputs)} {
-  const SceneFile file = read_scene_file(document_, name_);
-  outputs_ = SceneNumbers{file, names_}.outputs();
-  units_ = file.scene.model.units;
-  is_fence_ = file.fence.has_value();
+SweptScene::SweptScene(TomlValue document, std::string name)
+    : name_{std::move(name)}, document_{std::move(document)}, base_{read_scene_file(document_, name_)} {}
+
+void SweptScene::choose(std::vector<std::string> outputs) {
+  outputs_ = SceneNumbers{base_, outputs}.outputs();
+  names_ = std::move(outputs);
 }
 
 SceneFile SweptScene::scene(const SweptRun& run) const {
@@ -57,20 +60,24 @@ SweepResult SweptScene::result(const SweptRun& run, const SweepLimits& limits,
   if (const scenes::FenceSummary* const fence = scene_run.fence())
     result.verdict = Names<scenes::Verdict>::list[static_cast<std::size_t>(fence->verdict())];
   if (!outcome) {
-    result.end = SweepEnd::diverged, result.reason = outcome.message;
+    result.end = SweepEnd::diverged, result.reason = scene_run.explained(outcome).message;
     return result;
   }
   if (outcome.kind == Outcome::Kind::stopped) {
     result.end = SweepEnd::limited, result.reason = end.reason();
     return result;
   }
+  std::vector<std::string> reasons;
   const RunQuality quality = scene_run.quality(outcome);
-  if (quality.enforced && !quality.flaw.empty()) result.end = SweepEnd::unusable, result.reason = quality.flaw;
-  std::string missing;
-  result.values = numbers->values(scene_run, missing);
-  if (!missing.empty()) result.reason += (result.reason.empty() ? "" : "; ") + missing;
+  if (!quality.flaw.empty()) {
+    if (quality.enforced) result.end = SweepEnd::unusable;
+    reasons.push_back(quality.flaw);
+  }
+  std::ranges::move(scene_run.warnings(), std::back_inserter(reasons));
+  result.values = numbers->values(scene_run, reasons);
+  result.reason = fmt::format("{}", fmt::join(reasons, "; "));
   for (std::size_t i = 0; i < outputs_.size(); ++i)
-    result.values[i] *= si_size(units, outputs_[i].dimension) / si_size(units_, outputs_[i].dimension);
+    result.values[i] *= si_size(units, outputs_[i].dimension) / si_size(this->units(), outputs_[i].dimension);
   return result;
 }
 

@@ -14,15 +14,19 @@ namespace talus::app {
 /// A scene of bodies as the base of a sweep. Outputs: see SceneNumbers.
 class SweptScene {
  public:
-  /// Errors: InputError for a scene that is wrong, or outputs that it does not have.
-  SweptScene(TomlValue document, std::string name, std::vector<std::string> outputs);
+  /// Errors: InputError for a scene that is wrong.
+  SweptScene(TomlValue document, std::string name);
 
+  /// See SweepBase::choose().
+  void choose(std::vector<std::string> outputs);
+
+  const TomlValue& document() const { return document_; }
   const std::vector<SweepOutput>& outputs() const { return outputs_; }
-  const UnitSystem& units() const { return units_; }
-  bool is_fence() const { return is_fence_; }
+  const UnitSystem& units() const { return base_.scene.model.units; }
+  bool is_fence() const { return base_.fence.has_value(); }
   /// Time at which a run is planned to end [T]. Errors: InputError for a wrong field or value.
   [[nodiscard]] double end(const SweptRun& run) const { return scene(run).scene.plan.end; }
-  /// See SweepBase::result().
+  /// See SweepBase::result(). Warnings of `talus run` are the reason of a run that finished.
   [[nodiscard]] SweepResult result(const SweptRun& run, const SweepLimits& limits,
                                    const std::function<bool()>& interrupted) const;
 
@@ -31,10 +35,9 @@ class SweptScene {
 
   std::string name_;
   TomlValue document_;
+  SceneFile base_;
   std::vector<std::string> names_;
   std::vector<SweepOutput> outputs_;
-  UnitSystem units_;
-  bool is_fence_{};
 };
 
 }  // namespace talus::app

@@ -108,10 +108,12 @@ BOOST_AUTO_TEST_CASE(lines_of_the_manifest_are_read_back) {
 
 BOOST_AUTO_TEST_CASE(lines_of_results_are_read_back) {
   const SweepResult result{"12", SweepEnd::unusable, "why", 0.1, 7, "stopped", {1.0 / 3.0, -0.0, 5e-324}};
-  BOOST_TEST((result_of_line(result_line(result)) == result));
-  BOOST_TEST(std::isnan(result_of_line(result_line({"1", SweepEnd::finished, "", 0.0, 1, "", {NAN}})).values.at(0)));
-  BOOST_CHECK_THROW(static_cast<void>(result_of_line("{\"id\": 1}")), InputError);
-  BOOST_CHECK_THROW(static_cast<void>(result_of_line("[")), InputError);
+  BOOST_TEST((result_of_line(result_line(result, "s"), "s") == result));
+  const SweepResult without{"1", SweepEnd::finished, "", 0.0, 1, "", {NAN}};
+  BOOST_TEST(std::isnan(result_of_line(result_line(without, "s"), "s").values.at(0)));
+  BOOST_CHECK_THROW(static_cast<void>(result_of_line(result_line(result, "s"), "t")), InputError);
+  BOOST_CHECK_THROW(static_cast<void>(result_of_line("{\"id\": 1}", "s")), InputError);
+  BOOST_CHECK_THROW(static_cast<void>(result_of_line("[", "s")), InputError);
 }
 
 BOOST_AUTO_TEST_CASE(designs_depend_on_the_seed_alone) {

@@ -168,7 +168,9 @@ void check_refusals(const Program& program, Differences& differ) {
   const ProgramEnd shorter = program.end({"sweep", "status", "grid"});
   differ.ended("refusal: a shorter manifest", shorter, 2, "found 1 runs; sweep.json has 16");
   program.write("grid/manifest.jsonl", manifest);
-  program.write("grid/results/wrong.jsonl", "{\"id\": \"a\", \"end\": \"lost\"}\n");
+  std::string lost = program.read(program.files("grid/results").front());
+  lost.replace(lost.find("\"finished\""), 10, "\"lost\"");
+  program.write("grid/results/wrong.jsonl", lost.substr(0, lost.find('\n') + 1));
   const ProgramEnd wrong = program.end({"sweep", "status", "grid"});
   differ.ended("refusal: a wrong result", wrong, 2, "wrong.jsonl:1: end 'lost' is not known");
 }

@@ -426,7 +426,6 @@ void check_failures(const Program& program, Differences& differ) {
   differ.compare("limit of time", std::string{slow.cell(0, "reason")}, std::string{"limit of 0.001 s"});
 }
 
-/// The files of results of a sweep.
 /// The same bytes for parts in any order, threads, and after lost, cut and repeated results.
 void check_bytes(const Program& program, Findings& findings, Differences& differ) {
   const Setup& setup = program.setup();
@@ -479,6 +478,12 @@ void check_bytes(const Program& program, Findings& findings, Differences& differ
   differ.ended("repeated results are refused", doubled, 2, "has several results, as have 16 in all");
   program.run({"sweep", "collect", "parts"}, {{"--partial", {}}});
   if (bytes("parts") != expected) differing += 1.0;
+  // Without the files that it names all runs have one result, or none.
+  const std::string named = doubled.messages.substr(0, doubled.messages.find(" and run the sweep"));
+  for (const std::string& file : program.files("parts/results"))
+    if (named.find(file) != std::string::npos) program.write(file, "");
+  program.run({"sweep", "run", "parts"});
+  compare("parts");
   findings.expect("collected files that differ in a byte, by part, threads and lost results", differing, 0.0,
                   Tolerance::exact("the manifest gives parameters and order"));
 
@@ -492,6 +497,12 @@ void check_bytes(const Program& program, Findings& findings, Differences& differ
   program.write("ball.toml", ball_scene("velocity_verlet"));
   const ProgramEnd other = program.end({"sweep", "plan", "parts.toml"}, {{"--out", {"whole"}}});
   differ.ended("results of another base are refused", other, 2, "found results of a sweep with another base");
+  // Such results that were copied, or written by a process that began before the plan.
+  plan("other");
+  static_cast<void>(program.end({"sweep", "run", "other"}));
+  program.write("parts/results/other.jsonl", program.read(program.files("other/results").front()));
+  differ.ended("copied results of another base are refused", program.end({"sweep", "collect", "parts"}), 2,
+               "parts/results/other.jsonl:1: the result is of another base");
   program.write("ball.toml", ball_scene("exact"));
 }
 
