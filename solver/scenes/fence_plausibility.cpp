@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <vector>
 
 #include "solver/dynamics/candidates.hpp"
 #include "solver/scenes/fence_element.hpp"
@@ -14,6 +15,24 @@ std::string length(const Fence& fence, double value) {
   return fmt::format("{:.4g} {}", value, symbol(fence.units, dimension::length));
 }
 
+/// Half-widths of the columns of a layer.
+struct HalfWidths {
+  explicit HalfWidths(const Fence& fence) {
+    const auto half = static_cast<std::size_t>(fence.columns + 1) / 2;
+    std::vector<double> from_centre(half, fence.column.a);
+    for (const ChangedColumn& changed : fence.changed_columns)
+      from_centre.at(static_cast<std::size_t>(changed.number - 1)) = changed.a;
+    widest = *std::ranges::max_element(from_centre);
+    // Of an even number the two inner columns are neighbours.
+    if (fence.columns % 2 == 0) of_neighbours = 2.0 * from_centre.front();
+    for (std::size_t i = 1; i < half; ++i)
+      of_neighbours = std::max(of_neighbours, from_centre[i - 1] + from_centre[i]);
+  }
+
+  double widest{};
+  double of_neighbours{};  ///< largest sum of two; 0 for a single column
+};
+
 }  // namespace
 
 std::vector<std::string> implausible_geometry(const Fence& fence, const FenceScene& made) {
@@ -22,22 +41,20 @@ std::vector<std::string> implausible_geometry(const Fence& fence, const FenceSce
     found.push_back(fmt::format("sag: the top cable hangs {} down over a span of only {}", length(fence, fence.sag),
                                 length(fence, fence.span)));
   }
-  double widest = fence.column.a;
-  for (const ChangedColumn& changed : fence.changed_columns)
-    widest = std::max(widest, changed.a);
+  const HalfWidths widths{fence};
   if (fence.columns > 1 && fence.spacing < 2.0 * fence.column.a) {
     found.push_back(
         fmt::format("spacing: columns of a width of {} have a spacing of {}, so that neighbours overlap by {}",
                     length(fence, 2.0 * fence.column.a), length(fence, fence.spacing),
                     length(fence, 2.0 * fence.column.a - fence.spacing)));
-  } else if (fence.columns > 1 && fence.spacing < widest + fence.column.a) {
+  } else if (fence.spacing < widths.of_neighbours) {
     found.push_back(fmt::format("changed_column: a column of a width of {} overlaps its neighbours, {} apart",
-                                length(fence, 2.0 * widest), length(fence, fence.spacing)));
+                                length(fence, 2.0 * widths.widest), length(fence, fence.spacing)));
   }
-  if (fence.layers == 2 && fence.layer_spacing < 2.0 * fence.column.a) {
+  if (fence.layers == 2 && fence.layer_spacing < 2.0 * widths.widest) {
     found.push_back(fmt::format("layer_spacing: the layers are {} apart, columns {} thick: they overlap by {}",
-                                length(fence, fence.layer_spacing), length(fence, 2.0 * fence.column.a),
-                                length(fence, 2.0 * fence.column.a - fence.layer_spacing)));
+                                length(fence, fence.layer_spacing), length(fence, 2.0 * widths.widest),
+                                length(fence, 2.0 * widths.widest - fence.layer_spacing)));
   }
   const Model& model = made.scene.model;
   const Body& ground = model.bodies[index(*made.members.front().body)];

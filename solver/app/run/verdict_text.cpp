@@ -64,12 +64,12 @@ class Lines {
     if (!rock.touched) return text + "; it never touched the fence";
     const bool over = rock.left;
     const double speed = norm(over ? rock.exit_velocity : rock.end_velocity);
+    const double energy = over ? rock.exit_energy : rock.end_energy;
     text +=
-        fmt::format("; {} {}, {} of {} ({:.1f} %)",
+        fmt::format("; {} {}, {} of {}",
                     over ? "after its last contact" : "still touching at the end:", value(speed, dimension::velocity),
-                    value(over ? rock.exit_energy : rock.end_energy, dimension::energy),
-                    value(rock.approach_energy, dimension::energy),
-                    100.0 * (over ? rock.exit_energy : rock.end_energy) / rock.approach_energy);
+                    value(energy, dimension::energy), value(rock.approach_energy, dimension::energy));
+    if (rock.approach_energy > 0.0) text += fmt::format(" ({:.1f} %)", 100.0 * energy / rock.approach_energy);
     if (over) text += "; last contact " + at(rock.exit_time);
     if (rock.verdict == Verdict::undecided) {
       text += fmt::format("; it still advances at {}: a longer run decides",

@@ -28,6 +28,17 @@ void check_warnings(Findings& findings) {
              }},
       Change{"layer_spacing: ",
              [](scenes::Fence& f, double limits) { f.layers = 2, f.layer_spacing = 2.0 * f.column.a / limits; }},
+      // Both neighbours of the centre are changed, and a column of each layer.
+      Change{"changed_column: ",
+             [](scenes::Fence& f, double limits) {
+               f.columns = 4, f.spacing = 3.0,
+               f.changed_columns = {{1, limits * 1.5, f.column.b, f.column.density, f.y_top, f.y_bottom}};
+             }},
+      Change{"layer_spacing: ",
+             [](scenes::Fence& f, double limits) {
+               f.layers = 2, f.spacing = 4.0, f.layer_spacing = 3.0;
+               f.changed_columns = {{2, limits * 1.5, f.column.b, f.column.density, f.y_top, f.y_bottom}};
+             }},
       Change{"ground: ", [](scenes::Fence& f, double limits) { f.ground.position.y = -5.0 + 0.5 * limits; }}};
   double wrong = 0.0;
   const auto count = [&](const std::vector<std::string>& within, const std::vector<std::string>& beyond,
@@ -69,7 +80,7 @@ void check_warnings(Findings& findings) {
                            said[1].find("2.5 ft") != std::string::npos,
                        "columns 2.5 ft wide at distances of 2 ft and 1.75 ft");
   findings.expect_exact("number of warning limits with a missing, wrong or additional warning", wrong, 0.0,
-                        "a count of eight limits; tested a ten-thousandth to either side");
+                        "a count of ten limits; tested a ten-thousandth to either side");
 }
 
 /// Checks which integers of a fence file are refused by name: at both ends of their ranges and one beyond each.
