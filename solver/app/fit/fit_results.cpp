@@ -59,11 +59,12 @@ std::vector<std::string> fit_warnings(const FitFile& file, const Fit& fit) {
       }
     }
   }
-  if (file.has_uncertainties() && std::sqrt(fit.sum / fit.degrees_of_freedom()) > misfit) {
+  if (const double scatter = std::sqrt(fit.sum / fit.degrees_of_freedom());
+      file.has_uncertainties() && scatter > misfit) {
     warnings.push_back(
-        fmt::format("the model does not describe the data within their uncertainty: the root mean square of the "
-                    "deviations is {:.3g} uncertainties; the intervals are those of a wrong model",
-                    root_mean_square(fit)));
+        fmt::format("the model does not describe the data within their uncertainty: the standard deviation of the "
+                    "data from it is {:.3g} uncertainties; the intervals are those of a wrong model",
+                    scatter));
   }
   if (!fit.converged) warnings.emplace_back("the search has not converged; give another start or narrower ranges");
   if (fit.unconverged > 0) {

@@ -124,7 +124,7 @@ Json Sheet::rocks() const {
                    {"exit_velocity", velocity(rock.exit_velocity)},
                    {"exit_spin", rock.exit_spin},
                    {"exit_energy", in_si(rock.exit_energy, dimension::energy)},
-                   {"energy_loss_fraction", rock.energy_loss_fraction()},
+                   {"energy_loss_fraction", records::json_number(rock.energy_loss_fraction())},
                    {"turned", rock.turned},
                    {"braking_time", time(rock.braking_time)},
                    {"travel", length(rock.travel)}});

@@ -139,6 +139,14 @@ class Simulations(unittest.TestCase):
         self.assertLess(simulation.time, until.end)
         self.assertLess(simulation.x[rock], whole.x[rock] - 0.5)
 
+    def test_bodies_at_rest_move_from_a_restart_on(self):
+        # The columns are not computed before the rock touches them.
+        simulation = talus.Simulation(talus.Scene.read(CASES / "fence/table_2.toml"))
+        start = simulation.x.copy()
+        simulation.restart(v=[0.01] * len(simulation.v))
+        simulation.advance()
+        np.testing.assert_allclose((simulation.x - start)[1:], 0.01 * simulation.time, rtol=1e-5)
+
     def test_a_run_that_diverges(self):
         simulation = talus.Simulation(talus.Scene.parse(BALL), step="1e200 s", end="1e203 s")
         self.assertFalse(simulation.advance(10))

@@ -1,5 +1,6 @@
 #include "solver/app/sweep/sweep_file.hpp"
 
+#include <array>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <map>
@@ -127,6 +128,25 @@ BOOST_AUTO_TEST_CASE(designs_depend_on_the_seed_alone) {
     }
   }
   BOOST_CHECK_THROW(static_cast<void>(design_points({DesignKind::sobol, 2, 1}, 100000)), InputError);
+}
+
+// Of the thirds of an axis, three runs have each of the six orders equally often: chi-squared with 5 degrees of freedom
+// exceeds 25.7 once in ten thousand times. A shuffle that is not uniform gives some 80.
+BOOST_AUTO_TEST_CASE(a_latin_hypercube_has_all_orders_equally_often) {
+  constexpr std::size_t axes = 6000;
+  const auto points = design_points({DesignKind::latin_hypercube, 3, 7}, axes);
+  std::map<std::array<int, 3>, double> orders;
+  for (std::size_t axis = 0; axis < axes; ++axis) {
+    std::array<int, 3> order{};
+    for (std::size_t run = 0; run < 3; ++run)
+      order.at(run) = static_cast<int>(3.0 * points[run][axis]);
+    orders[order] += 1.0;
+  }
+  double chi_squared = 0.0;
+  for (const auto& [order, count] : orders)
+    chi_squared += (count - axes / 6.0) * (count - axes / 6.0) / (axes / 6.0);
+  BOOST_TEST(orders.size() == 6U);
+  BOOST_TEST(chi_squared < 25.7);
 }
 
 // A Sobol sequence extends: more runs have the same first points. Of two axes, 16 points have one in each of 4 x 4

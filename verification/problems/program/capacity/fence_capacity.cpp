@@ -288,6 +288,35 @@ void check_hazard(const Program& program, Findings& findings, Differences& diffe
                std::abs(forces.at("p95").at("value").get<double>() / strength - 1.0) < 0.01);
 }
 
+/// Tilted elongated rocks of other sizes: they start as far in front of that of the base as they reach further, a
+/// larger one in its bounding box, a smaller one as an ellipse.
+void check_places(const Program& program, Differences& differ) {
+  constexpr double angle = 0.5, long_axis = 2.0 * own_radius, place = 1.25;
+  std::string text = fence("angle = \"0.5 rad\"\n");
+  const std::string b = fmt::format("b = \"{} m\"\nmass", own_radius);
+  text.replace(text.find(b), b.size(), fmt::format("b = \"{} m\"\nmass", long_axis));
+  const std::string position = fmt::format("position = [\"{} m\"", own_x);
+  text.replace(text.find(position), position.size(), fmt::format("position = [\"{} m\"", place));
+  program.write("fence.toml", text);
+  program.write(
+      "places.toml",
+      fmt::format("base = \"fence.toml\"\nmass = [\"{} kg\", \"{} kg\"]\nspeed = [\"2 m/s\", \"4 m/s\"]\n[map]\n"
+                  "cells = 1\nfirst_cells = 1\nruns = 4\naudit = 0\n",
+                  0.125 * own_mass, 8.0 * own_mass));
+  program.run({"capacity", "places.toml"}, {{"--no-plots", {}}});
+  program.run({"sweep", "collect", "places"});
+  const records::Csv runs = program.csv("places/results.csv");
+  const double across = own_radius * std::cos(angle), along = long_axis * std::sin(angle);
+  for (std::size_t row = 0; row < runs.rows(); ++row) {
+    const double size = runs.number(row, "fence.rock[0].a [m]") / own_radius;
+    const double reach = size > 1.0 ? across + along : std::hypot(across, along);
+    differ.holds("sizes", std::abs(size - 2.0) < 1e-12 || std::abs(size - 0.5) < 1e-12);
+    differ.holds("places of tilted rocks",
+                 std::abs(runs.number(row, "fence.rock[0].position[0] [m]") - (place + (size - 1.0) * reach)) < 1e-12);
+  }
+  differ.compare("tilted rocks", runs.rows(), std::size_t{16});
+}
+
 /// A rock that is higher, turned and spun within the requested changes; text, figures and exit status.
 void check_changes(const Program& program, Differences& differ) {
   program.write("fence.toml", fence("spin = \"2 rad/s\"\nangle = \"0.5 rad\"\n"));
@@ -318,6 +347,7 @@ void check_changes(const Program& program, Differences& differ) {
   differ.contains("reason of a failure", limited.output, "  failed, for example: limit of 10 evaluations\n");
   const ProgramEnd other = program.end({"capacity", "limited.toml"}, {{"--no-plots", {}}, {"--out", {"changes"}}});
   differ.ended("results of other limits are refused", other, 2, "other limits");
+  check_places(program, differ);
 }
 
 /// Spins, and positions along the fence in the full model: a map for each combination, expected rocks between two ends.
@@ -335,13 +365,14 @@ void check_positions(const Program& program, Differences& differ) {
     differ.contains(fmt::format("map of {}", name), text, fmt::format("\n{}", name));
   program.run({"sweep", "collect", "positions"});
   const records::Csv placed = program.csv("positions/results.csv"), maps = program.csv("positions/capacity.csv");
-  double shift = 0.0, farthest = 0.0, mean_spin = 0.0, widest = 0.0;
+  double shift = 0.0, farthest = 0.0, mean_spin = 0.0, widest = 0.0, products = 0.0;
   std::size_t expected = 0;
   for (std::size_t row = 0; row < placed.rows(); ++row) {
     const auto number = [&](const std::string& head) { return placed.number(row, head); };
     const double along = number("fence.rock[0].along [m]"), turning = number("fence.rock[0].spin [rad/s]");
     if (turning > 4.0) {
       ++expected, mean_spin += turning, widest = std::max(widest, std::abs(along));
+      products += (turning - 6.0) * along;
       differ.holds("spin of an expected rock", turning >= 5.0 && turning <= 7.0);
       continue;
     }
@@ -352,6 +383,9 @@ void check_positions(const Program& program, Differences& differ) {
   differ.compare("expected rocks", expected, std::size_t{200});
   differ.holds("mean spin of the expected rocks", std::abs(mean_spin / 200.0 - 6.0) < 4.0 * 0.5774 / std::sqrt(200.0));
   differ.holds("positions of the expected rocks", widest > 0.3 && widest <= 0.3625);
+  // Four standard deviations; with one random number for both the mean product is 0.1.
+  differ.holds("spins and positions are independent",
+               std::abs(products / 200.0) < 4.0 * 0.5774 * 0.1753 / std::sqrt(200.0));
   differ.holds("positions of the maps", shift > 0.05 && shift <= 0.0625 && farthest > 0.27);
   differ.compare("rows of four maps", maps.rows(), std::size_t{16});
   differ.holds("spin and position of a node",

@@ -182,9 +182,21 @@ double minimum_error() {
   return worst;
 }
 
+/// Whether a fit says that two measured values of p determine it, if its standard error is this share of its range.
+bool is_undetermined(double share) {
+  constexpr double range = 10.0;
+  const double uncertainty = std::numbers::sqrt2 * share * range;
+  const FitModel model = [&](const std::vector<double>& p, const std::vector<std::size_t>& of) {
+    return std::vector<double>(of.size(), p[0] / uncertainty);
+  };
+  return fit({{-0.5 * range, 0.5 * range, 1.0, false}}, model, {.rows = 2, .samples = 0}, true).undetermined[0];
+}
+
 }  // namespace
 
 void check_search(Findings& findings) {
+  findings.expect_true("undetermined: a standard error of 60 % of the range is, one of 40 % is not",
+                       is_undetermined(0.6) && !is_undetermined(0.4), "the guide names half of the range");
   findings.expect("bootstrap: samples of a line through the origin, largest distance from a possible value",
                   sample_distance(), 0.0,
                   Tolerance::round_off(1e-12,

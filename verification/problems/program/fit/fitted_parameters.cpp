@@ -233,8 +233,12 @@ void check_friction(const Program& program, Findings& findings, Differences& dif
                     "[[input]]\ncolumn = \"vx [m/s]\"\nfield = \"body.ball.velocity[0]\"\n[[input]]\ncolumn = \"vy "
                     "[m/s]\"\nfield = \"body.ball.velocity[1]\"\n[[quantity]]\ncolumn = \"ratio\"\nresult = "
                     "\"ball.vx.end\"\ndivided_by = \"vx [m/s]\"\n" +
-                    parameter("contact.hit.friction", "[0.0, 1.0]") + "[bootstrap]\nsamples = 0\n");
+                    parameter("contact.hit.friction", "[0.0, 1.0]") + "[bootstrap]\nsamples = 40\n");
   const Json fit = program.json({"fit", "friction.toml"}, {{"--json", {}}});
+  // Rows drawn again and again have the same friction, each with its own divisor.
+  for (const Json& end : found(fit, 0).at("interval"))
+    differ.holds("rows and divisors of samples",
+                 std::abs(end.get<double>() / found(fit, 0).at("value").get<double>() - 1.0) < 2e-3);
   // The divisor in another unit than the result.
   data = "vx [m/s],vx [mm/s],vy [m/s],ratio\n";
   for (const auto& [vx, vy] : {std::pair{3.0, -1.0}, std::pair{4.0, -1.5}, std::pair{2.0, -1.0}, std::pair{5.0, -1.0}})
