@@ -152,6 +152,20 @@ void expect_as_planned(Findings& findings, const Setup& setup, const Plan& each,
                              packing.width / diameter, packing.height / diameter, minimum));
 }
 
+/// Small packings, of many seeds, in which discs cross the border of the rectangle while they grow.
+void expect_within(Findings& findings) {
+  double farthest = 0.0;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    PackingPlan plan = plan_of(20, 0.7, 0.2, false, 1.0);
+    plan.seed = seed;
+    farthest = std::max(farthest, Sums{grow(plan), false}.farthest);
+  }
+  findings.expect_between(
+      "small grown packings: largest coordinate over half the rectangle, 40 seeds", farthest, 0.9, 1.0 + 1e-12,
+      "discs fill the whole rectangle and do not leave it; in some of these packings a disc crosses "
+      "the border in the last steps of the growth");
+}
+
 /// Velocities of a given temperature: discs of unequal masses, with walls that remain at rest.
 void expect_agitated(Findings& findings, const Setup& setup) {
   constexpr double temperature = 3.0;
@@ -270,6 +284,7 @@ void run(Findings& findings, const Setup& setup) {
     for (const Plan& each : plans()) {
       if (setup.needs(each.name)) expect_as_planned(findings, setup, each, table);
     }
+    if (setup.needs("small grown")) expect_within(findings);
   }
   findings.table(table);
   {

@@ -165,6 +165,40 @@ double error_beside(const Question& question, const RunMethod& advised, Findings
   return worst;
 }
 
+/// Largest error of the runs that the search adds to the advised one: steps shorter by up to a sixth of an octave, at
+/// multiples of the golden ratio.
+double error_of_added(const Question& question, const RunMethod& advised, int runs, Findings& findings) {
+  double worst = 0.0;
+  for (int i = 1; i <= runs; ++i) {
+    RunMethod method = advised;
+    const double up = std::fmod(0.6180339887498949 * i, 1.0) / 6.0;
+    method.steps = std::lround(static_cast<double>(advised.steps) * std::exp2(up));
+    worst = std::max(worst, run_with(question, method, findings).error);
+  }
+  return worst;
+}
+
+/// Lowest position of a disc that bounces without loss, by the parabola through three steps of coarse exact runs:
+/// largest error over the largest overlap, v sqrt(m/k) = 1.
+double lowest_error(double coarsest, Findings& findings) {
+  constexpr double radius = 20.0, end = 6.0;
+  Scene scene = scenes::bouncing_disc({.mass = 1.0,
+                                       .radius = radius,
+                                       .gap = 0.7,
+                                       .speed = 1.0,
+                                       .contact = LinearSpringDashpot{1.0, 0.0, EndRule::clamped}});
+  scene.plan = until(end);
+  const Quantity quantity = quantity_named(scene.model, "disc.y.min");
+  PilotRuns runs{scene, quantity, true};
+  double worst = 0.0;
+  for (int i = 0; i < 12; ++i) {
+    const Pilot pilot = runs.run({"exact", 0.0, std::lround(end / coarsest) + i}, 1000);
+    keep_worst(worst, pilot.failure.empty() ? pilot.between - (radius - 1.0) : std::nan(""));
+  }
+  findings.count(runs.evaluations());
+  return worst;
+}
+
 /// Smallest number of evaluations of all methods, each on a separate fine ladder, such that all finer runs up to four
 /// times the cost of the advice are as accurate. `own`: receives the runs of the advised method, cost relative to that
 /// of the advice, error relative to the required accuracy.
@@ -231,6 +265,13 @@ void check_question(const Question& question, Findings& findings, const Setup& s
                           beside / question.accuracy, 0.0, 1.0,
                           "the promised accuracy must not be due to chance; the comparison with the fewest evaluations "
                           "shows whether it is too expensive");
+  if (const AdviceRules rules = rules_of(question, setup); best.method.tolerance == 0.0 && rules.beside > 0) {
+    Question judged = question;  // by the reference value of the search, as the reported error
+    judged.truth = advice.reference.value;
+    findings.expect_between(check("largest error of the runs beside the advised one over the reported error"),
+                            error_of_added(judged, best.method, rules.beside, findings) / best.error, 0.0, 1.0 + 1e-9,
+                            "the reported error is the largest of these runs, repeated here, and of finer ones");
+  }
   findings.expect_true(check("evaluations as reported"), run.evaluations == static_cast<double>(best.evaluations),
                        "the same run");
   if (setup.coarse) return;
@@ -312,6 +353,15 @@ void run(Findings& findings, const Setup& setup) {
   if (!in_gas) {
     for (const Question& question : questions(findings, setup))
       check_question(question, findings, setup, table, figure);
+  }
+  if (setup.fault.empty()) {
+    constexpr double coarsest = 0.3;  // of w h
+    findings.expect("lowest position between the steps of a bounce: largest error over the overlap",
+                    lowest_error(coarsest, findings), 0.0,
+                    Tolerance::truncation(0.0235 * std::pow(coarsest, 4), 1.0,
+                                          "-cos x sampled at d - z, d and d + z with z = w h: its fourth-order term "
+                                          "-x^4/24 shifts the parabola by d^2 (z^2 - d^2)/8 at its lowest point, at "
+                                          "most 3 z^4/128 at d = z/2. The lowest step alone misses z^2/8"));
   }
   if (in_gas || setup.fault.empty()) check_gas(findings, setup, table);
   if (setup.coarse) return;

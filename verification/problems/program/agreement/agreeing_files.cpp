@@ -233,7 +233,7 @@ void run(Findings& findings, const Setup& setup) {
     ComparedDocument(of + "final_state.json", one.state, expected_final_state(one))
         .expect(findings, 1e-12,
                 "a plastic stretch is 49 times the difference of two tensions, over the stiffness: twenty roundings of "
-                "1.1e-16 of 20,000 lbf, over a difference of at least 250 lbf");
+                "1.1e-16 of 20,000 lbf, 3e-13 as a walk over a difference of at least 30 lbf; three times that");
     ComparedDocument(of + "plot.json", one.plot, expected_plot(one)).expect_members(findings);
   }
   if (sheet_is_needed) {

@@ -70,7 +70,7 @@ density = "0.76 slug/ft^3"
 integrator = "auto"
 hardening = 0.02
 hanger_strength = "15000 lbf"
-strength_top = "21000 lbf"
+strength_top = "23500 lbf"
 )";
 
 }  // namespace

@@ -80,7 +80,7 @@ inline constexpr double low_stiffness = 2000.0, low_damping = 8.0, loading = 300
 /// Numbers of the fence, in feet and pounds; areas in square inches, Young's modulus in pounds per square inch.
 inline constexpr double fence_span = 30.0, sag = 3.0, spacing = 2.5, layer_spacing = 2.6, y_top = 6.67, y_bottom = -4.0,
                         slack = 0.02, young = 20e6, area_top = 1.076, area_bottom = 0.25, limit_top = 20000.0,
-                        limit_bottom = 3000.0, strength_top = 21000.0, hanger_strength = 15000.0, hardening = 0.02,
+                        limit_bottom = 3000.0, strength_top = 23500.0, hanger_strength = 15000.0, hardening = 0.02,
                         ground_top = -4.5, restitution = 0.4, fence_friction = 0.3, layer_overlap = 0.5,
                         rock_overlap = 0.6;
 inline constexpr int columns_of_half = 3;
@@ -91,8 +91,9 @@ struct Rock {
 inline constexpr std::array<Rock, 2> rocks{{{1.201, 2.451, -1.3, -65.0, 34.0}, {1.1, 2.55, 1.3, -50.0, -20.0}}};
 inline constexpr double rock_density = 5.13, column_a = 1.25, column_b = 4.0, column_density = 0.76;
 
-/// A fence of two layers with a yielding top cable that breaks, and two rocks, in feet and pounds. Stiffness, rest
-/// length and step, which follow from other numbers, are zero.
+/// A fence of two layers with a yielding top cable that breaks, and two rocks, in feet and pounds. A top cable has the
+/// largest tension, a bottom cable the largest ratio to its yield force. Stiffness, rest length and step, which follow
+/// from other numbers, are zero.
 [[nodiscard]] Facts fence();
 
 }  // namespace talus::verification::problems::agreeing_files

@@ -368,6 +368,19 @@ run = {{ step = "{} s", end = "0.1 s" }}
                             "of weight away"));
   findings.expect("falling rock: restitution that a run with it lists, largest difference", listed, 0.0,
                   Tolerance::truncation(1e-6, 1.0, "the search ends within 1e-6, and both take the same states"));
+  // The rock overlaps the ground at the start and rises: no approach, and no restitution, can be measured.
+  std::string rising = scene(1.0);
+  const std::string height = fmt::format("\"{} m\"]", 0.35 + gap);
+  rising.replace(rising.find(height), height.size(), "\"0.34999 m\"]");
+  const std::string down = "velocity = [\"0 m/s\", \"-";
+  rising.erase(rising.find(down) + down.size() - 1, 1);
+  folder.write("rising.toml", rising);
+  const ProgramEnd refused =
+      run_talus(folder, {"calibrate", "rising.toml", "--contact", "bounce", "--restitution", "0.5"});
+  findings.expect_true("falling rock: refusal where it touches the ground at the start and rises",
+                       refused.exit_code == 2 && refused.messages.find("do not approach each other; they touch at the "
+                                                                       "start") != std::string::npos,
+                       "exit status 2 and this reason; at any damping no restitution is that of an impact");
 }
 
 void run(Findings& findings, const Setup& setup) {

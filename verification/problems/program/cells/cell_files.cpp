@@ -330,6 +330,30 @@ void check_limits(const TemporaryFolder& folder, Findings& findings, const Setup
       Tolerance::exact("exit status 0 for 0.999 of the limit, and 2, wrong input, for 1.001, for two methods"));
 }
 
+/// The same cell in a mirror, its block to the left: all results of the summary are those of the cell itself.
+void check_mirrored(const TemporaryFolder& folder, const VirtualDiscs& before, const Node& results, Findings& findings,
+                    const Setup& setup) {
+  VirtualDiscs mirrored = before;
+  for (std::size_t i = 0; i < free_discs; ++i)
+    mirrored.x[i] = -mirrored.x[i], mirrored.vx[i] = -mirrored.vx[i];
+  std::string control = control_text(setup);
+  const std::string drive = fmt::format("{} {} {} ", rows, columns, wall_discs);
+  control.insert(control.find(drive) + drive.size(), "-");
+  folder.write("MIRRORED.DAT", control);
+  folder.write("RESTART.DAT", restart_text(mirrored, setup));
+  (void)talus_output(folder,
+                     {"cell", "MIRRORED.DAT", "--units", "SI", "--integrator", "euler_cromer", "--out", "mirrored"});
+  const Json summary = records::read_json(folder.path() / "mirrored/summary.json");
+  const Node found = Node{summary, "summary.json"}.at("results");
+  double worst = 0.0;
+  for (const auto& [name, result] : results.members()) {
+    const double value = result.at("value").number(), in_mirror = found.at(name.c_str()).at("value").number();
+    keep_worst(worst, (in_mirror - value) / std::max(std::abs(value), result.has("unit") ? diameter : 1.0));
+  }
+  findings.expect("mirrored cell, block to the left: results, largest difference from those of the cell", worst, 0.0,
+                  of_paths());
+}
+
 void run(Findings& findings, const Setup& setup) {
   const auto group = findings.in("cell");
   const TemporaryFolder folder;
@@ -351,6 +375,8 @@ void run(Findings& findings, const Setup& setup) {
   check_summary(Node{summary, "summary.json"}, expected, before, ended, findings, setup);
   if (setup.needs("of cells")) check_written_cells(folder, findings, setup);
   if (setup.needs("whose discs touch")) check_contacting_cells(folder, findings, setup);
+  if (setup.needs("mirrored"))
+    check_mirrored(folder, before, Node{summary, "summary.json"}.at("results"), findings, setup);
   if (setup.coarse) return;
   const Csv profile = records::read_csv(folder.path() / "out/profile.csv");
   std::vector<double> heights, velocities;

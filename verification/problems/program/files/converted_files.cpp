@@ -197,7 +197,7 @@ std::string scene_with_options(const std::string& last) {
          element("[fence.ground]", ground_solid + still + no_spin + "shape = \"superquadric\"\nexponent = 4.5\n") +
          element("[[fence.rock]]",
                  rock_solid + moving + turning + "shape = \"superquadric\"\nexponent = 3.5\nalong = \"0.65 ft\"\n") +
-         element("[[fence.rock]]", second_solid + moving + turning + "along = \"0.75 ft\"\nshape = \"rectangle\"\n") +
+         element("[[fence.rock]]", second_solid + moving + turning + "along = \"-0.75 ft\"\nshape = \"rectangle\"\n") +
          element("[fence.column]", column_solid + still + no_spin +
                                        "shape = \"superquadric\"\nexponent = 5.5\nposition = [\"0 ft\", \"0 ft\"]\n") +
          R"(

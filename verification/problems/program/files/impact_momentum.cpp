@@ -33,6 +33,13 @@ namespace {
 
 constexpr double weight = 10.0, yard_end = 0.5, yard_step = 5e-5;
 
+/// A box that turns and is nearly level in the first state in which its lower corners overlap the ground: the left one
+/// by 2.4e-5 m, the right one by 1.6e-5 m. In the state before, neither overlaps.
+constexpr int tipped_state = 20;
+constexpr double tipped_speed = 1.0, tipped_spin = 0.5, tipped_time = tipped_state * yard_step, tipped_angle = 1e-5,
+                 box_width = 0.4, box_height = 0.25,
+                 tipped_y = box_height - 2e-5 + tipped_speed * tipped_time + 0.5 * weight * tipped_time * tipped_time;
+
 /// Undamped contacts with friction, in steps of equal length: the trapezoidal sum of the forces at the states is the
 /// momentum that velocity Verlet adds.
 std::string yard_text(const Setup& setup) {
@@ -86,12 +93,24 @@ position = ["12 m", "0.3 m"]
 velocity = ["0 m/s", "-1 m/s"]
 
 [[body]]
+name = "tipped"
+mobility = "free"
+mass = "3 kg"
+inertia = "0.5 kg m^2"
+shape = {{ kind = "rectangle", half_width = "{} m", half_height = "{} m" }}
+position = ["16 m", "{} m"]
+velocity = ["0 m/s", "-{} m/s"]
+angle = "{} rad"
+spin = "{} rad/s"
+
+[[body]]
 name = "ground"
 mobility = "fixed"
 shape = {{ kind = "half_plane" }}
 position = ["0 m", "0 m"]
 )",
-                                 weight, 0.5 - weight / 1e6);
+                                 weight, 0.5 - weight / 1e6, box_width, box_height, tipped_y, tipped_speed,
+                                 tipped_angle - tipped_spin * tipped_time, tipped_spin);
   const auto contact = [&](const char* name, const char* between, const char* method) {
     text += fmt::format(R"(
 [[contact]]
@@ -111,6 +130,7 @@ shear_damping = "0 N s/m"
   contact("hops", R"("ground", "hopper")", "resultant");
   contact("rest", R"("sleeper", "ground")", "resultant");
   contact("landing", R"("ground", "box")", "nodes");
+  contact("tipping", R"("tipped", "ground")", "nodes");
   return text + fmt::format(R"(
 [run]
 integrator = "velocity_verlet"
@@ -137,7 +157,7 @@ void check_yard(Findings& findings, const Setup& setup) {
   double worst = 0.0;
   for (const Start& body :
        {Start{"left", 2.0, 3.0, 0.5}, Start{"right", 1.0, -1.0, 0.0}, Start{"hopper", 1.0, 1.0, -0.5},
-        Start{"sleeper", 1.0, 0.0, 0.0}, Start{"box", 3.0, 0.0, -1.0}}) {
+        Start{"sleeper", 1.0, 0.0, 0.0}, Start{"box", 3.0, 0.0, -1.0}, Start{"tipped", 3.0, 0.0, -tipped_speed}}) {
     double x = 0.0, y = 0.0, size = 1.0;
     for (const Row& row : rows) {
       const double sign = row.body_b == body.name ? 1.0 : row.body_a == body.name ? -1.0 : 0.0;
@@ -202,6 +222,16 @@ void check_yard(Findings& findings, const Setup& setup) {
                       0.125 * std::pow(frequency * yard_step, 2), 1.0,
                       "half a step from the maximum at most: (w h)^2/8 of it. The force of one node is half of it")
                       .relative());
+  // The speed of the left corner in the state before; the right one is slower by 0.4 m/s.
+  const double fall = tipped_speed + weight * (tipped_time - yard_step),
+               arm = box_width * std::cos(tipped_angle) - box_height * std::sin(tipped_angle);
+  findings.expect(
+      "approach speed of a turning box at the deeper of two nodes", of["tipping"].at(0)["approach_speed"],
+      fall + tipped_spin * arm,
+      Tolerance::round_off(1e-14,
+                           "twenty steps that each round a speed of 1 m/s by 1.1e-16, an arm from positions "
+                           "of 16 m, rounded to 1.8e-15 m, times the spin"),
+      "m/s");
 }
 
 }  // namespace talus::verification::problems::impact_table

@@ -182,6 +182,34 @@ double minimum_error() {
   return worst;
 }
 
+/// Standard error of a parameter p whose logarithm is a slope, y = x ln p, over its closed form: p times that of the
+/// slope, s/sqrt(sum x^2). Largest deviation from 1, with the scatter s given and from the deviations, and with starts
+/// far below and above the fit.
+double logarithm_error() {
+  constexpr std::array x{1.0, 2.0, 3.0, 4.0, 5.0}, y{0.8, 1.3, 2.2, 2.7, 3.6};
+  double products = 0.0, squares = 0.0, sum = 0.0;
+  for (std::size_t i = 0; i < x.size(); ++i)
+    products += x[i] * y[i], squares += x[i] * x[i];
+  const double slope = products / squares;
+  for (std::size_t i = 0; i < x.size(); ++i)
+    sum += (slope * x[i] - y[i]) * (slope * x[i] - y[i]);
+  const FitModel model = [&](const std::vector<double>& p, const std::vector<std::size_t>& of) {
+    std::vector<double> found;
+    for (const std::size_t row : of)
+      found.push_back(x[row] * std::log(p[0]) - y[row]);
+    return found;
+  };
+  double worst = 0.0;
+  for (const double start : {0.02, 90.0}) {
+    for (const bool is_known : {true, false}) {
+      const Fit found = fit({{0.01, 100.0, start, true}}, model, {.rows = x.size(), .samples = 0}, is_known);
+      const double scatter = is_known ? 1.0 : std::sqrt(sum / (static_cast<double>(x.size()) - 1.0));
+      keep_worst(worst, found.errors[0] / (std::exp(slope) * scatter / std::sqrt(squares)) - 1.0);
+    }
+  }
+  return worst;
+}
+
 /// Whether a fit says that two measured values of p determine it, if its standard error is this share of its range.
 bool is_undetermined(double share) {
   constexpr double range = 10.0;
@@ -209,6 +237,13 @@ void check_search(Findings& findings) {
                   Tolerance::round_off(1e-12,
                                        "all deviations are zero there, so that each step of Gauss and Newton "
                                        "squares the error of values of some units"));
+  findings.expect(
+      "search: standard error of a parameter whose logarithm is a slope, over its closed form, deviation "
+      "from 1",
+      logarithm_error(), 0.0,
+      Tolerance::model(5e-8,
+                       "the scatter is that of a point within 1e-6 of the range, 9.2 in ln p, from the minimum: it is "
+                       "larger by half of 55 (9.2e-6)^2 over the sum of squares, 0.048"));
 }
 
 }  // namespace talus::verification::problems::fitted_parameters

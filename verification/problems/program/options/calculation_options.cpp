@@ -10,6 +10,7 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "verification/check/case.hpp"
@@ -159,6 +160,25 @@ void check_run(const Program& program, Findings& findings, Differences& differ) 
   findings.expect("talus run --all: printed extremes over those of summary.json, largest relative error",
                   extremes_error(printed, summary), 0.0,
                   Tolerance::model(5e-7, "seven digits are printed: half a unit of the last one"));
+
+  // The end is no multiple of the interval: the last row is beyond the last whole interval.
+  program.write("uneven.toml", hung_text("integrator = \"velocity_verlet\"\nstep = \"10 ms\"\nend = \"0.95 s\"\n"));
+  const std::string promised = program.run({"check", "uneven.toml"});
+  (void)program.run({"run", "uneven.toml"}, {{"--out", {"uneven"}}});
+  differ.compare("run: rows as expected by check", number_after(promised, "expected output of --out: "),
+                 static_cast<double>(program.csv("uneven/history.csv").rows()));
+  // Steps longer than half the contact: the results are not usable, which the scene may declare no error.
+  for (const auto& [name, rule, status] :
+       {std::tuple{"poor", "", 7}, std::tuple{"poor_warned", "[run.watch]\nquality = \"warning\"\n", 0}}) {
+    const std::string file = fmt::format("{}.toml", name);
+    std::string text = drop_text() + rule;
+    text.replace(text.find("0.1 ms"), 6, "18 ms");
+    program.write(file, text);
+    differ.compare(fmt::format("run: exit status of {}", name),
+                   program.end({"run", file}, {{"--out", {name}}}).exit_code, status);
+    differ.compare(fmt::format("run: exit status of --resume of {}, which has ended", name),
+                   program.end({"run"}, {{"--resume", {name}}}).exit_code, status);
+  }
 
   const Json whole = program.json({"run", "plain.toml"}, {{"--json", {}}});
   (void)program.run({"run", "plain.toml"}, {{"--until", {"0.45 s"}}, {"--out", {"half"}}});
@@ -328,6 +348,41 @@ void check_advice(const Program& program, Findings& findings, Differences& diffe
 
 // --- export, new, check, list -------------------------------------------------------------------------------
 
+/// `check` names the worse of two bodies beyond the bound of their moment of inertia, and of two overlaps at the start,
+/// in any order of the scene. The larger overlap is the smaller one relative to its body.
+void check_worst_named(const Program& program, Differences& differ) {
+  const auto body = [](const std::string& name, const std::string& mobility, double radius, double x) {
+    return fmt::format(
+        "[[body]]\nname = \"{}\"\nmobility = \"{}\"\nmass = \"2 kg\"\nposition = [\"{} m\", \"0 m\"]\n"
+        "shape = {{ kind = \"circle\", radius = \"{} m\" }}\n",
+        name, mobility, x, radius);
+  };
+  const auto touching = [](const std::string& one, const std::string& other) {
+    return fmt::format(
+        "[[contact]]\nname = \"{0}-{1}\"\nbetween = [\"{0}\", \"{1}\"]\n"
+        "law = \"linear_spring_dashpot\"\nstiffness = \"3 kN/m\"\ndamping = \"0 N s/m\"\n",
+        one, other);
+  };
+  const std::string worse = body("worse", "free", 0.5, 0.0) + "inertia = \"1 kg m^2\"\n",
+                    better = body("better", "free", 0.5, 5.0) + "inertia = \"0.75 kg m^2\"\n";
+  const std::string deep = body("large1", "particle", 1.0, 0.0) + body("large2", "particle", 1.0, 1.85),
+                    shallow = body("small1", "particle", 0.1, 5.0) + body("small2", "particle", 0.1, 5.16);
+  const std::string of_deep = touching("large1", "large2"), of_shallow = touching("small1", "small2");
+  struct Order {
+    std::string bodies, warning;
+  };
+  for (const Order& each :
+       {Order{worse + better, "body 'worse': its moment of inertia"},
+        Order{better + worse, "body 'worse': its moment of inertia"},
+        Order{deep + shallow + of_deep + of_shallow, "contact 'small1-small2' overlaps by 0.04 m"},
+        Order{shallow + deep + of_shallow + of_deep, "contact 'small1-small2' overlaps by 0.04 m"}}) {
+    program.write("worst.toml",
+                  "units = \"SI\"\n" + each.bodies + "[run]\nintegrator = \"rk4\"\nstep = \"1 ms\"\nend = \"1 ms\"\n");
+    differ.contains("the worse of two named first: " + each.warning,
+                    run_talus(program.folder(), {"check", "worst.toml"}).messages, "warning: " + each.warning);
+  }
+}
+
 void check_other_commands(const Program& program, Differences& differ) {
   (void)program.run({"export", "lammps", "cell.toml"}, {{"--dashpot", {}}, {"--steps", {"77"}}, {"--out", {"lammps"}}});
   differ.contains("export: steps", program.read("lammps/in.discs"), "\nrun 77\n");
@@ -385,6 +440,7 @@ void check_other_commands(const Program& program, Differences& differ) {
               std::string::npos,
           warns);
   }
+  check_worst_named(program, differ);
   program.write("often.toml", hung_text("integrator = \"velocity_verlet\"\nstep = \"0.2 s\"\nend = \"1 s\"\n"));
   for (const std::string command : {"run", "check"}) {
     const ProgramEnd often = run_talus(program.folder(), {command, "often.toml"});

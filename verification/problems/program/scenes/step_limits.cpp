@@ -7,10 +7,12 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "verification/check/case.hpp"
 #include "verification/record/csv.hpp"
+#include "verification/record/json_node.hpp"
 #include "verification/reference/integration/amplification.hpp"
 #include "verification/reference/many_bodies/pressed_discs.hpp"
 #include "verification/study/findings/expectations.hpp"
@@ -294,6 +296,28 @@ Bounds bounds_of_beams(const TemporaryFolder& folder) {
   return found;
 }
 
+/// Step that `run --step auto` chooses, over the closed form: a 200th of the contact time of an undamped ball, and a
+/// twentieth of the linear limit without contacts. Largest deviation from 1.
+double automatic_step_error(const TemporaryFolder& folder, const Vibrating& without_contacts, const Method& method) {
+  constexpr double mass = 2.0, stiffness = 3000.0;
+  const double of_contact = std::numbers::pi * std::sqrt(mass / stiffness) / 200.0;
+  const Vibrating ball{"ball above a plane",
+                       disc("ball", mass, 0.0, 0.6, 0.0, -1.0) + ground +
+                           contact("ball", "ground",
+                                   fmt::format("law = \"linear_spring_dashpot\"\nstiffness = \"{} N/m\"\n"
+                                               "damping = \"0 N s/m\"",
+                                               stiffness)),
+                       {{std::sqrt(stiffness / mass), 0.0}}};
+  double worst = 0.0;
+  for (const auto& [scene, exact] : {std::pair{&ball, std::min(of_contact, limit(method, ball.modes) / 20.0)},
+                                     std::pair{&without_contacts, limit(method, without_contacts.modes) / 20.0}}) {
+    folder.write("automatic.toml", scene_text(*scene, method, exact, true));
+    const std::string summary = talus_output(folder, {"run", "automatic.toml", "--step", "auto", "--json"});
+    keep_worst(worst, records::Json::parse(summary).at("step").get<double>() / exact - 1.0);
+  }
+  return worst;
+}
+
 void draw_growth(const TemporaryFolder& folder, const std::vector<Vibrating>& scenes, const Method& method,
                  Findings& findings) {
   std::vector<Series> curves;
@@ -387,6 +411,11 @@ void run(Findings& findings, const Setup& setup) {
       "growth in 400 steps: at 1.01 of the limit, minimum, in powers of ten", std::log10(unstable), 2.0, 9.0,
       "linear motion would grow without bound; bodies that lose contact or slip end the growth, measured at no less "
       "than 1.2e3 times the disturbance. Below the limit the growth stays under 12.3");
+  findings.expect("step of `talus run --step auto` over its closed form: largest deviation from 1",
+                  automatic_step_error(folder, scenes.back(), methods.front()), 0.0,
+                  Tolerance::round_off(1e-8,
+                                       "pi sqrt(m/k)/200 of an undamped ball, and a twentieth of a limit that is "
+                                       "found by bisection"));
   const double lever = setup.has("lever_of_the_start") ? 0.0 : beam_half_width;
   const Bounds bounds = bounds_of_beams(folder);
   const double worst = std::sqrt(beam_stiffness * (1.0 / ball_mass + lever * lever / beam_inertia));
