@@ -67,8 +67,8 @@ class ScriptDocument {
 };
 
 /// The text of the file of a scene, with which documents are read: of a deck of 1993 that of the scene file that it is
-/// converted to. `place` names the field that gives the file, if one does. Errors: IoError; SceneInputError, also for
+/// converted to. `where` names the field that gives the file, if one does. Errors: IoError; SceneInputError, also for
 /// CNTRL.DAT, which has no units.
-[[nodiscard]] std::string script_text(const std::string& file, std::string_view place = {});
+[[nodiscard]] std::string script_text(const std::string& file, std::string_view where = {});
 
 }  // namespace talus::python

@@ -6,8 +6,8 @@
 
 namespace talus::python {
 
-std::string script_text(const std::string& file, std::string_view place) {
-  return of_scene(file, [&] { return app::base_text(file, place); });
+std::string script_text(const std::string& file, std::string_view where) {
+  return of_scene(file, [&] { return app::base_text(file, where); });
 }
 
 SceneFile read_scene_document(const TomlValue& document, const std::string& name) {

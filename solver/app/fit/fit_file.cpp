@@ -136,7 +136,7 @@ void check(SceneTable& file, const FitFile& made) {
   for (auto first = made.quantities.begin(); first != made.quantities.end(); ++first) {
     if (std::ranges::any_of(made.quantities.begin(), first,
                             [&](const FitQuantity& earlier) { return earlier.name == first->name; }))
-      file.report("quantity", fmt::format("found two called \"{}\"; give each a name of its own", first->name));
+      file.report("quantity", fmt::format("found two called \"{}\"; give them different names", first->name));
   }
   constexpr std::size_t maximum = 8;
   if (made.parameters.size() > maximum)

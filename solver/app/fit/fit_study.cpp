@@ -61,21 +61,21 @@ FitStudy::FitStudy(const FitFile& file, unsigned threads) : file_{&file}, thread
 
 void FitStudy::check_first_row() const {
   std::vector<double> start;
-  std::vector<std::string> places;
+  std::vector<std::string> locations;
   for (const FitInput& input : file_->inputs)
-    places.push_back(input.where);
+    locations.push_back(input.where);
   for (const FittedField& field : file_->parameters) {
     start.push_back(field.parameter.start);
-    places.push_back(field.where);
+    locations.push_back(field.where);
   }
   const SweptRun first = run(start, 0);
   SweptRun tried;
-  for (std::size_t i = 0; i < places.size(); ++i) {
+  for (std::size_t i = 0; i < locations.size(); ++i) {
     try {
       tried.parameters.push_back(first.parameters[i]);
       check_fields(base_.document(), tried);
     } catch (const InputError& error) {
-      throw InputError{fmt::format("{}: field: {}", places[i], error.what())};
+      throw InputError{fmt::format("{}: field: {}", locations[i], error.what())};
     }
   }
   try {
@@ -90,8 +90,8 @@ void FitStudy::check_first_row() const {
       }
       return false;
     };
-    for (std::size_t i = 0; i < places.size(); ++i)
-      if (has_it(i)) throw InputError{fmt::format("{}: field: {}", places[i], error.what())};
+    for (std::size_t i = 0; i < locations.size(); ++i)
+      if (has_it(i)) throw InputError{fmt::format("{}: field: {}", locations[i], error.what())};
     throw InputError{fmt::format("{}: the first row of the data with the parameters at their start: {}",
                                  file_->file.string(), error.what())};
   }

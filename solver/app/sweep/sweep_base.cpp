@@ -22,11 +22,11 @@ std::variant<SweptScene, SweptCell> swept(TomlValue document, std::string name) 
 
 SweepBase::SweepBase(TomlValue document, std::string name) : swept_{swept(std::move(document), std::move(name))} {}
 
-void SweepBase::choose(std::vector<std::string> outputs, std::string_view place) {
+void SweepBase::choose(std::vector<std::string> outputs, std::string_view where) {
   try {
     std::visit([&](auto& of) { of.choose(std::move(outputs)); }, swept_);
   } catch (const InputError& error) {
-    throw InputError{fmt::format("{}: {}", place, error.what())};
+    throw InputError{fmt::format("{}: {}", where, error.what())};
   }
 }
 
@@ -56,7 +56,7 @@ SweepResult SweepBase::result(const SweptRun& run, const SweepLimits& limits,
   return std::visit([&](const auto& of) { return of.result(run, limits, interrupted); }, swept_);
 }
 
-std::string base_text(const std::filesystem::path& file, std::string_view place) {
+std::string base_text(const std::filesystem::path& file, std::string_view where) {
   try {
     if (!is_deck(file)) return read_text(file);
     if (describes_cell(file)) {
@@ -65,8 +65,8 @@ std::string base_text(const std::filesystem::path& file, std::string_view place)
     }
     return write_fence(read_deck(file));
   } catch (const IoError& error) {
-    if (place.empty()) throw;
-    throw IoError{fmt::format("{}: {}", place, error.what())};
+    if (where.empty()) throw;
+    throw IoError{fmt::format("{}: {}", where, error.what())};
   }
 }
 

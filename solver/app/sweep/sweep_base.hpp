@@ -18,8 +18,8 @@ class SweepBase {
   /// Without outputs; `name` is the file named in errors. Errors: InputError for a scene or cell that is wrong.
   SweepBase(TomlValue document, std::string name);
 
-  /// Takes these outputs in place of others. `place` begins errors: InputError for outputs that the base does not have.
-  void choose(std::vector<std::string> outputs, std::string_view place = "outputs");
+  /// Takes these outputs in place of others. `where` begins errors: InputError for outputs that the base does not have.
+  void choose(std::vector<std::string> outputs, std::string_view where = "outputs");
 
   const TomlValue& document() const;
   /// The outputs, with names and dimensions.
@@ -39,8 +39,8 @@ class SweepBase {
   std::variant<SweptScene, SweptCell> swept_;
 };
 
-/// The text of a scene, cell or deck of 1993 as TOML. `place` names the field that gives the file, if one does. Errors:
-/// IoError that begins with `place`; InputError for a wrong deck, or for CNTRL.DAT, which has no units.
-[[nodiscard]] std::string base_text(const std::filesystem::path& file, std::string_view place = {});
+/// The text of a scene, cell or deck of 1993 as TOML. `where` names the field that gives the file, if one does. Errors:
+/// IoError that begins with `where`; InputError for a wrong deck, or for CNTRL.DAT, which has no units.
+[[nodiscard]] std::string base_text(const std::filesystem::path& file, std::string_view where = {});
 
 }  // namespace talus::app

@@ -290,13 +290,13 @@ void check_hazard(const Program& program, Findings& findings, Differences& diffe
 
 /// Tilted elongated rocks of other sizes: they start as far in front of that of the base as they reach further, a
 /// larger one in its bounding box, a smaller one as an ellipse.
-void check_places(const Program& program, Differences& differ) {
-  constexpr double angle = 0.5, long_axis = 2.0 * own_radius, place = 1.25;
+void check_tilted_rocks(const Program& program, Differences& differ) {
+  constexpr double angle = 0.5, long_axis = 2.0 * own_radius, start_x = 1.25;
   std::string text = fence("angle = \"0.5 rad\"\n");
   const std::string b = fmt::format("b = \"{} m\"\nmass", own_radius);
   text.replace(text.find(b), b.size(), fmt::format("b = \"{} m\"\nmass", long_axis));
   const std::string position = fmt::format("position = [\"{} m\"", own_x);
-  text.replace(text.find(position), position.size(), fmt::format("position = [\"{} m\"", place));
+  text.replace(text.find(position), position.size(), fmt::format("position = [\"{} m\"", start_x));
   program.write("fence.toml", text);
   program.write(
       "places.toml",
@@ -311,8 +311,8 @@ void check_places(const Program& program, Differences& differ) {
     const double size = runs.number(row, "fence.rock[0].a [m]") / own_radius;
     const double reach = size > 1.0 ? across + along : std::hypot(across, along);
     differ.holds("sizes", std::abs(size - 2.0) < 1e-12 || std::abs(size - 0.5) < 1e-12);
-    differ.holds("places of tilted rocks",
-                 std::abs(runs.number(row, "fence.rock[0].position[0] [m]") - (place + (size - 1.0) * reach)) < 1e-12);
+    differ.holds("places of tilted rocks", std::abs(runs.number(row, "fence.rock[0].position[0] [m]") -
+                                                    (start_x + (size - 1.0) * reach)) < 1e-12);
   }
   differ.compare("tilted rocks", runs.rows(), std::size_t{16});
 }
@@ -347,7 +347,7 @@ void check_changes(const Program& program, Differences& differ) {
   differ.contains("reason of a failure", limited.output, "  failed, for example: limit of 10 evaluations\n");
   const ProgramEnd other = program.end({"capacity", "limited.toml"}, {{"--no-plots", {}}, {"--out", {"changes"}}});
   differ.ended("results of other limits are refused", other, 2, "other limits");
-  check_places(program, differ);
+  check_tilted_rocks(program, differ);
 }
 
 /// Spins, and positions along the fence in the full model: a map for each combination, expected rocks between two ends.

@@ -210,10 +210,10 @@ double logarithm_error() {
   return worst;
 }
 
-/// Whether a fit says that two measured values of p determine it, if its standard error is this share of its range.
-bool is_undetermined(double share) {
+/// Whether a fit says that two measured values of p determine it, if its standard error is this fraction of its range.
+bool is_undetermined(double fraction) {
   constexpr double range = 10.0;
-  const double uncertainty = std::numbers::sqrt2 * share * range;
+  const double uncertainty = std::numbers::sqrt2 * fraction * range;
   const FitModel model = [&](const std::vector<double>& p, const std::vector<std::size_t>& of) {
     return std::vector<double>(of.size(), p[0] / uncertainty);
   };

@@ -438,7 +438,7 @@ void check_refusals(const Program& program, Differences& differ) {
        "uncertainty: found \"1 mm/s\"; it must be > 0, in the unit of the column, m/s"},
       {good + "uncertainty = \"0 m/s\"\n" + of_damping, "it must be > 0, in the unit of the column, m/s"},
       {good + quantity + of_damping, "several quantities need an uncertainty each"},
-      {good + quantity + of_damping, "found two called \"rebound\"; give each a name of its own"},
+      {good + quantity + of_damping, "found two called \"rebound\"; give them different names"},
       {good + "uncertainty = \"1 m/s\"\n" + quantity + of_damping, "some have an uncertainty, others not"},
       {with_range("[\"2 N s/m\", \"1 N s/m\"]"), "the first must be less than the second"},
       {with_range("[\"1 N s/m\", 2.0]"), "both ends must have the same unit"},
