@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -8,11 +7,11 @@
 #include <ctime>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <set>
 #include <string>
 #include <thread>
 
@@ -272,13 +271,15 @@ int collect(const SweepOptions& options) {
                     options.folder, counts.missing(), counts.runs, shell_word(options.folder))};
   }
   if (!options.partial && !known.duplicates.empty()) {
-    std::set<std::string> files;
+    std::map<std::string, int> counts_by_file;
     for (const auto& [id, file] : known.duplicates)
-      files.insert(file.string());
+      ++counts_by_file[file.string()];
+    for (const auto& [file, count] : counts_by_file)
+      print_failure(fmt::format("{}: {} results of runs that have another one", file, count));
     throw InputError{
-        fmt::format("{}: run {} has several results, as have {} in all; remove {} and run the sweep again, or give "
-                    "--partial to take the first one of each, in the order of the files' names",
-                    options.folder, known.duplicates.front().first, known.duplicates.size(), fmt::join(files, ", "))};
+        fmt::format("{}: run {} has several results, as have {} in all; remove these files and run the sweep again, or "
+                    "give --partial to take the first one of each, in the order of the files' names",
+                    options.folder, known.duplicates.front().first, known.duplicates.size())};
   }
   if (counts.done() == 0) throw InputError{fmt::format("{}: no run has a result", options.folder)};
   const fs::path csv = sweep.folder / "results.csv", json = sweep.folder / "results.json";

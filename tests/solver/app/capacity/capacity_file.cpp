@@ -105,7 +105,7 @@ BOOST_AUTO_TEST_CASE(wrong_files_are_refused_by_key) {
   folder.file("empty.csv", "mass [kg],speed [m/s],height [m]\n");
   std::string spins = "\"0 rad/s\"";
   for (int i = 1; i <= 100; ++i)
-    spins += ", \"1 rad/s\"";
+    spins += ", \"" + std::to_string(i) + " rad/s\"";
   const std::vector<std::pair<std::string, std::string>> wrong{
       {"base = \"f.toml\"\n" + speed, "c.toml:1: mass: it is missing"},
       {"base = \"f.toml\"\nmass = [\"2 kg\", \"1 kg\"]\n" + speed,
@@ -114,6 +114,8 @@ BOOST_AUTO_TEST_CASE(wrong_files_are_refused_by_key) {
       {head + "height = [3]\n", "c.toml:4: height[0]: found 3; the unit is missing; write e.g. \"3 m\""},
       {head + "height = [\"1 400\"]\n",
        "c.toml:4: height[0]: found \"1 400\"; '400' is not a unit; write e.g. \"1 m\""},
+      {head + "height = [\"1 m\", \"100 cm\"]\n",
+       "c.toml:4: height: found [\"1 m\", \"100 cm\"], with one value twice; remove it"},
       {head + "height = [\"-1 m\"]\n", "c.toml:4: height[0]: found \"-1 m\"; it must be > 0"},
       {head + "height = \"1 m\"\nspin = [" + spins + "]\n",
        "c.toml:4: height: with `spin` and `along` there are 101 maps; there may be at most 100"},

@@ -47,16 +47,15 @@ BOOST_AUTO_TEST_CASE(numbers_have_the_dimension_of_what_they_are) {
 }
 
 BOOST_AUTO_TEST_CASE(other_names_are_refused) {
-  BOOST_TEST(message("impact.impct[0].touch_time") ==
-             "outputs: contact 'impct' is not known; nearest: impact; known: impact");
-  BOOST_TEST(message("impact.impact[0].touch").starts_with("outputs: number of an impact 'touch' is not known"));
+  BOOST_TEST(message("impact.impct[0].touch_time") == "contact 'impct' is not known; nearest: impact; known: impact");
+  BOOST_TEST(message("impact.impact[0].touch").starts_with("number of an impact 'touch' is not known"));
   BOOST_TEST(message("column.spin.peak") ==
-             "outputs: found \"column.spin.peak\"; give a local maximum with its index from 0, column.spin.peak[0], or "
+             "found \"column.spin.peak\"; give a local maximum with its index from 0, column.spin.peak[0], or "
              "its time, column.spin.peak_time[0]");
-  BOOST_TEST(message("column.spn.peak[0]").starts_with("outputs: column 'column.spn' is not known"));
-  BOOST_TEST(message("column.spin.peak[99999999999999999999]").starts_with("outputs: found "));
+  BOOST_TEST(message("column.spn.peak[0]").starts_with("column 'column.spn' is not known"));
+  BOOST_TEST(message("column.spin.peak[99999999999999999999]").starts_with("found "));
   for (const char* const name : {"impact.impact.touch_time", "impact.impact[0]", "impact.impact[-1].touch_time"})
-    BOOST_TEST(message(name) == "outputs: found \"" + std::string{name} +
+    BOOST_TEST(message(name) == "found \"" + std::string{name} +
                                     "\"; give an impact with its index from 0, and a number of it, e.g. "
                                     "impact.impact[0].touch_time");
 }
