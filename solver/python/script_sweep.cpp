@@ -46,8 +46,14 @@ ScriptSweep sweep_document(const TomlValue& document, const std::string& name, c
       throw InputError{fmt::format("outputs: found '{}' twice; remove one", *output)};
   app::SweepBase base{document, name};
   base.choose(arguments.outputs);
-  for (const FieldValues& fields : runs)
+  // Nearly always all runs change the same fields.
+  const FieldValues* checked = nullptr;
+  for (const FieldValues& fields : runs) {
+    constexpr auto name_of = &FieldValues::value_type::first;
+    if (checked != nullptr && std::ranges::equal(*checked, fields, {}, name_of, name_of)) continue;
     app::check_fields(document, {{}, fields});
+    checked = &fields;
+  }
   ScriptSweep sweep;
   for (const app::SweepOutput& output : base.outputs())
     sweep.outputs.push_back(output.name);

@@ -50,13 +50,12 @@ std::vector<std::pair<SweepOutput, double>> cell_numbers_named(const CellScene& 
 }  // namespace
 
 SweptCell::SweptCell(TomlValue document, std::string name)
-    : name_{std::move(name)}, document_{std::move(document)}, units_{*read_cell(document_, name_, {}).units} {}
+    : name_{std::move(name)}, document_{std::move(document)}, base_{read_cell(document_, name_, {})} {}
 
 void SweptCell::choose(std::vector<std::string> outputs) {
-  const CellScene scene = read_cell(document_, name_, {});
-  CellRun run{scene.cell, scene.plan};
+  CellRun run{base_.cell, base_.plan};
   outputs_.clear();
-  for (auto& [output, value] : cell_numbers_named(scene, run, outputs))
+  for (auto& [output, value] : cell_numbers_named(base_, run, outputs))
     outputs_.push_back(output);
   names_ = std::move(outputs);
 }
@@ -92,7 +91,7 @@ SweepResult SweptCell::result(const SweptRun& run, const SweepLimits& limits,
   }
   std::vector<std::string> reasons = cell_warnings(*scene, *cell_run);
   for (const auto& [output, value] : cell_numbers_named(*scene, *cell_run, names_)) {
-    result.values.push_back(value * si_size(*scene->units, output.dimension) / si_size(units_, output.dimension));
+    result.values.push_back(value * si_size(*scene->units, output.dimension) / si_size(units(), output.dimension));
     if (!std::isfinite(value)) reasons.push_back(no_value(output.name, "what it is divided by is 0 in the means"));
   }
   result.reason = fmt::format("{}", fmt::join(reasons, "; "));

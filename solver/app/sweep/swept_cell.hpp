@@ -21,7 +21,7 @@ class SweptCell {
 
   const TomlValue& document() const { return document_; }
   const std::vector<SweepOutput>& outputs() const { return outputs_; }
-  const UnitSystem& units() const { return units_; }
+  const UnitSystem& units() const { return *base_.units; }
   /// Time at which a run is planned to end [T]. Errors: InputError for a wrong field or value.
   [[nodiscard]] double end(const SweptRun& run) const { return cell(run).plan.end; }
   /// See SweepBase::result(). Warnings of `talus cell` are the reason of a run that finished.
@@ -33,9 +33,9 @@ class SweptCell {
 
   std::string name_;
   TomlValue document_;
+  CellScene base_;
   std::vector<std::string> names_;
   std::vector<SweepOutput> outputs_;
-  UnitSystem units_;
 };
 
 }  // namespace talus::app

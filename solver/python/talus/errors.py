@@ -75,7 +75,7 @@ _numbers = {os.strerror(number): number for number in sorted(errno.errorcode, re
 class IoError(OSError):
     """A file that cannot be read or written; `errno`, `strerror` and `filename` are None without a system's reason."""
 
-    def __init__(self, message, scene=None):
+    def __init__(self, message):
         super().__init__(message)
         places, _, reason = str(message).rpartition(": ")
         if reason in _numbers:

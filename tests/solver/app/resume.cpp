@@ -222,6 +222,17 @@ BOOST_AUTO_TEST_CASE(checkpoints_that_are_refused) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(files_of_others_stay) {
+  const Folder folder;
+  runs({"run", scene("fence/sample2.DAT"), "--until", "5 ms", "--end", "10 ms", "--out", folder.path.string()});
+  const fs::path geometry = folder.path / "sample2_geometry";
+  std::ofstream{geometry / "view.pvsm"} << "state of ParaView";
+  std::ofstream{geometry / "sample2_99999999.vtp"} << "of a run that was killed";
+  runs({"run", "--resume", folder.path.string()});
+  BOOST_TEST(fs::exists(geometry / "view.pvsm"));
+  BOOST_TEST(!fs::exists(geometry / "sample2_99999999.vtp"));
+}
+
 BOOST_AUTO_TEST_CASE(geometry_that_is_gone_is_missed) {
   const Folder folder;
   runs({"run", scene("fence/sample2.DAT"), "--until", "5 ms", "--out", folder.path.string()});

@@ -181,6 +181,10 @@ class Scenes(unittest.TestCase):
         with self.assertRaisesRegex(talus.InputError, "mass: found \"3 m\""):
             scene.changed({"body.ball.mass": "3 m"})
 
+    def test_two_names_of_one_field(self):
+        with self.assertRaisesRegex(talus.InputError, "'body.ball.mass' and 'body\\[0\\].mass' are the same field"):
+            talus.Scene.parse(BALL).changed({"body.ball.mass": "3 kg", "body[0].mass": "4 kg"})
+
     def test_files_that_cannot_be_read(self):
         with self.assertRaisesRegex(talus.IoError, "no_such.toml"):
             talus.Scene.read("no_such.toml")

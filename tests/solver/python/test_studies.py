@@ -194,6 +194,10 @@ evaluations = 8000
         scene = talus.Scene.parse(BALL)
         with self.assertRaisesRegex(talus.InputError, "outputs: "):
             talus.sweep(scene, [{}], ["ball.z.end"])
+        with self.assertRaisesRegex(talus.InputError, "outputs: found 'ball.y.end' twice; remove one"):
+            talus.sweep(scene, [{}], ["ball.y.end", "ball.y.end"])
+        with self.assertRaisesRegex(talus.InputError, "are the same field"):
+            talus.sweep(scene, [{}, {"body.ball.mass": "1 kg", "body[0].mass": "9 kg"}], [])
         with self.assertRaisesRegex(talus.InputError, "evaluations: found -1"):
             talus.sweep(scene, [{}], [], evaluations=-1)
         for threads in (-1, 2000):

@@ -54,7 +54,8 @@ BOOST_AUTO_TEST_CASE(other_names_are_refused) {
              "its time, column.spin.peak_time[0]");
   BOOST_TEST(message("column.spn.peak[0]").starts_with("column 'column.spn' is not known"));
   BOOST_TEST(message("column.spin.peak[99999999999999999999]").starts_with("found "));
-  for (const char* const name : {"impact.impact.touch_time", "impact.impact[0]", "impact.impact[-1].touch_time"})
+  for (const char* const name :
+       {"impact.impact.touch_time", "impact.impact[0]", "impact.impact[-1].touch_time", "impact.impact.peak_force"})
     BOOST_TEST(message(name) == "found \"" + std::string{name} +
                                     "\"; give an impact with its index from 0, and a number of it, e.g. "
                                     "impact.impact[0].touch_time");

@@ -345,6 +345,9 @@ void check_warnings(const Program& program, Differences& differ) {
                                  parameter("body.ball.position[0]", "[\"-1 m\", \"1 m\"]") + few);
   differ.contains("a parameter that the data do not determine", message("free.toml").messages,
                   "body.ball.position[0] is not determined by these data");
+  const Json free = program.json({"fit", "free.toml"}, {{"--json", {}}});
+  differ.holds("interval of one of two parameters that is not determined",
+               found(free, 1).at("interval").is_null() && !found(free, 0).at("interval").is_null());
   program.write("limited.toml", std::string{heading} + of_speed + of_damping + few + "[limits]\nevaluations = 10\n");
   const ProgramEnd limited = message("limited.toml");
   differ.ended("runs without a result", limited, 2,

@@ -74,7 +74,10 @@ std::vector<Wrong> wrong_sweeps() {
       {head + mass + "quantiles = [[0, \"1 kg\"], [1]]\ncount = 2\n", "found [1]; it must be an array of pairs"},
       {head + good + good, "axis 2: field: 'body.ball.mass' is varied by two axes"},
       {head + "[[axis]]\nfield = \"run.step\"\nvalues = [\"1e-4 s\"]\ntable = \"t.csv\"\n", "axis 1: field"},
-      {head + "[[axis]]\ntable = \"none.csv\"\ncolumns = { \"run.step\" = \"s\" }\n", "none.csv"},
+      {head + "[[axis]]\ntable = \"none.csv\"\ncolumns = { \"run.step\" = \"s\" }\n",
+       "wrong.toml: axis: table: none.csv: No such file or directory"},
+      {head + "[[axis]]\nfield = \"body.ball.offset[0]\"\nvalues = [\"1 m\"]\n",
+       "the base has no 'offset', of which an element could be set"},
       {head + "[[axis]]\ntable = \"bad.csv\"\ncolumns = { \"run.step\" = \"h [s]\" }\n", "column 'h [s]' is not known"},
       {head + sobol + mass + "range = [\"1 kg\", \"2 kg\"]\ncount = 2\n", "axis 1: count: only a grid has it"},
       {head + "[design]\nkind = \"grid\"\nruns = 4\n" + good,
@@ -125,7 +128,7 @@ void check_refusals(const Program& program, Differences& differ) {
   for (const Wrong& wrong : wrong_sweeps()) {
     program.write("wrong.toml", wrong.text);
     const ProgramEnd end = program.end({"sweep", "plan", "wrong.toml"});
-    const int expected = wrong.message.find("No such file") != std::string::npos || wrong.message == "none.csv" ? 4 : 2;
+    const int expected = wrong.message.find("No such file") != std::string::npos ? 4 : 2;
     differ.ended("refusal: " + wrong.message, end, expected, wrong.message);
   }
   differ.compare("nothing is written of a wrong sweep", program.has("wrong/sweep.json"), false);
@@ -150,8 +153,10 @@ void check_refusals(const Program& program, Differences& differ) {
        "--hosts: only the engine 'parallel'"},
       {{"sweep", "submit", "grid"}, {{"--engine", {"parallel"}}, {"--wait", {}}}, "--wait: only the engine 'slurm'"},
       {{"sweep", "submit", "grid"}, {{"--parts", {"0"}}}, "--parts"},
+      {{"sweep", "plan", "lone.toml"}, {}, "lone.toml: base: nowhere.toml: No such file or directory", 4},
       {{"sweep", "run", "nowhere"}, {}, "nowhere", 4},
       {{"sweep", "status", "."}, {}, "found a folder without sweep.json; it must be the folder of a sweep", 4}};
+  program.write("lone.toml", "base = \"nowhere.toml\"\noutputs = [\"ball.vx.end\"]\n" + good);
   for (const WrongCommand& wrong : commands) {
     const ProgramEnd end = program.end(wrong.command, wrong.options);
     differ.ended("refusal: " + wrong.message, end, wrong.exit_code, wrong.message);
@@ -167,6 +172,11 @@ void check_refusals(const Program& program, Differences& differ) {
   program.write("grid/manifest.jsonl", manifest.substr(0, manifest.find('\n') + 1));
   const ProgramEnd shorter = program.end({"sweep", "status", "grid"});
   differ.ended("refusal: a shorter manifest", shorter, 2, "found 1 runs; sweep.json has 16");
+  std::string other = manifest;
+  other.replace(other.find("\"id\":\"") + 6, 4, "0000");
+  program.write("grid/manifest.jsonl", other);
+  differ.ended("refusal: an id of other parameters", program.end({"sweep", "status", "grid"}), 2,
+               "grid/manifest.jsonl:1: found the id 0000");
   program.write("grid/manifest.jsonl", manifest);
   std::string lost = program.read(program.files("grid/results").front());
   lost.replace(lost.find("\"finished\""), 10, "\"lost\"");
