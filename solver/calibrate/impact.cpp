@@ -224,7 +224,9 @@ Impact simulate_impact(const ContactLaw& law, double effective_mass, double spee
 
 ImpactError restitution_error(const ContactLaw& law, double effective_mass, double speed,
                               const Integrator& integrator) {
-  const double exact = known_impact(law, effective_mass, speed).restitution;
+  const KnownImpact known = known_impact(law, effective_mass, speed);
+  demand_closed_form(impact_scene(law, effective_mass, speed, known.contact_time, 0.5, integrator).model, integrator);
+  const double exact = known.restitution;
   return [=](double step, double phase) {
     const Followed followed = follow_impact(impact_scene(law, effective_mass, speed, step, phase, integrator),
                                             ContactId{0}, ImpactEnd::force);

@@ -39,7 +39,8 @@ struct Impact {
 [[nodiscard]] Impact simulate_impact(const ContactLaw& law, double effective_mass, double speed, double step,
                                      double phase, const Integrator& integrator);
 
-/// Error of the restitution of such impacts, against the closed form. Errors: InputError for a law as above.
+/// Error of the restitution of such impacts, against the closed form. Errors: InputError for a law as above,
+/// and as demand_closed_form().
 [[nodiscard]] ImpactError restitution_error(const ContactLaw& law, double effective_mass, double speed,
                                             const Integrator& integrator);
 

@@ -344,6 +344,7 @@ ObliqueRebound rebound(const ObliqueImpact& impact) { return rebound(impact, con
 
 ImpactError rebound_error(const ObliqueImpact& impact, const Integrator& integrator) {
   const double time = contact_time_of(impact);
+  demand_closed_form(scene_of(impact, time, time, time, integrator).scene.model, integrator);
   const ObliqueRebound exact = rebound(impact, time);
   return [=](double step, double phase) {
     const Simulated simulation = simulated(impact, time, step, phase * step, integrator);

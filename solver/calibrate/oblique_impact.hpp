@@ -54,7 +54,8 @@ struct ObliqueRebound {
 /// above, an overlap of more than half the radius, or if the method cannot simulate it, with the reason.
 [[nodiscard]] ObliqueRebound rebound(const ObliqueImpact& impact);
 
-/// Error of the simulated restitutions, normal or tangential, whichever is larger, against rebound(). Errors as above.
+/// Error of the simulated restitutions, normal or tangential, whichever is larger, against rebound(). Errors as above,
+/// and as demand_closed_form().
 [[nodiscard]] ImpactError rebound_error(const ObliqueImpact& impact, const Integrator& integrator);
 
 /// A parameter of the friction law that gives a tangential restitution.

@@ -22,14 +22,20 @@ std::vector<std::string> integrator_choices() {
   return names;
 }
 
+void demand_closed_form(const Model& model, const Integrator& integrator) {
+  const IntegratorTraits& of = traits(integrator);
+  if (!needs_closed_form(of.name)) return;
+  if (const auto obstacle = obstacle_to_closed_form(model))
+    throw InputError{
+        fmt::format("integrator '{}': the motion between events must be linear, but {}", of.name, *obstacle)};
+}
+
 IntegratorChoice choose_integrator(const Model& model, std::string_view name, double tolerance) {
   if (name != automatic_integrator) {
     const double given = tolerance == 0.0 && needs_tolerance(name) ? usual_tolerance : tolerance;
     IntegratorChoice named{make_integrator(name, given)};
-    if (!needs_closed_form(name)) return named;
-    const auto obstacle = obstacle_to_closed_form(model);
-    if (!obstacle) return named;
-    throw InputError{fmt::format("integrator '{}': the motion between events must be linear, but {}", name, *obstacle)};
+    demand_closed_form(model, named.integrator);
+    return named;
   }
   const auto obstacle = obstacle_to_closed_form(model);
   if (!obstacle) return {make_integrator(Exact::name), "all motion between events is linear"};

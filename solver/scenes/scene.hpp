@@ -37,10 +37,13 @@ inline constexpr std::string_view automatic_integrator = "auto";
 /// data; a tolerance ten times smaller costs an eighth more evaluations.
 inline constexpr double usual_tolerance = 1e-10;
 
+/// Errors: InputError with the obstacle, if the integrator needs motion that is linear between events and that of the
+/// model is not.
+void demand_closed_form(const Model& model, const Integrator& integrator);
+
 /// The integrator with the given name for the motion of a model. "auto" selects `exact` if all motion between events
 /// has a closed form, otherwise `stormer_cowell` with the tolerance. Tolerance 0 means that none is given. Errors:
-/// InputError as make_integrator(), and with the obstacle if the integrator needs a closed form and the motion has
-/// none.
+/// InputError as make_integrator() and demand_closed_form().
 [[nodiscard]] IntegratorChoice choose_integrator(const Model& model, std::string_view name, double tolerance = 0.0);
 
 /// All data of a run: model, initial state, integrator and plan.

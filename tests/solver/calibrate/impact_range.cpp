@@ -214,4 +214,22 @@ BOOST_AUTO_TEST_CASE(a_hertz_contact_with_a_very_strong_dashpot_stops_the_body) 
   }
 }
 
+// Errors that no step makes small, and a method without the closed form that it needs.
+BOOST_AUTO_TEST_CASE(a_step_that_does_not_exist_is_refused) {
+  int calls = 0;
+  const ImpactError same = [&calls](double, double) { return ++calls, 0.5; };
+  BOOST_CHECK_EXCEPTION((void)accurate_step(same, 1.0, 0.1), InputError, [](const InputError& error) {
+    return std::string{error.what()} ==
+           "an error of e below 0.1 is not reached with 2^18 steps in a contact; allow a larger error, or choose "
+           "another integrator";
+  });
+  BOOST_TEST(calls == 16);  // 8 to 2^18 steps in a contact, each given up at the first phase
+  BOOST_CHECK_EXCEPTION((void)restitution_error(Hertz{.modulus = 1e6, .radius = 0.01}, 1.0, 1.0, Exact{}), InputError,
+                        [](const InputError& error) {
+                          return std::string{error.what()} ==
+                                 "integrator 'exact': the motion between events must be linear, but contact 'impact': "
+                                 "the law hertz is not linear";
+                        });
+}
+
 BOOST_AUTO_TEST_SUITE_END()

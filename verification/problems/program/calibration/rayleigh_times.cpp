@@ -232,7 +232,8 @@ void compare_refusals(const Program& program, Differences& differ) {
       {with(hertz, {mass, sphere, {"--speeds", {"1 m/s", "2 m/s", "2"}}, {"--pivot", {"1 kg m^2", "1 m"}}}),
        "--pivot and --offset: spheres are hit centrally; remove them, or give --radius"},
       {with(hertz, {mass, radius, {"--integrator", {"exact"}}}),
-       "the method cannot simulate the impact with 2^18 steps in a contact; choose another integrator"},
+       "integrator 'exact': the motion between events must be linear, but contact 'impact': the law hertz is not "
+       "linear"},
       {with(hertz, {mass, radius, {"--bound", {"nan"}}}), "--bound: found nan; it must be > 0"},
       {with(hertz, {axis, sphere}), "--spheres: each pair gives its own bodies; remove it"},
       {with(hertz, {radii, density, sphere}), "--spheres: each pair gives its own bodies; remove it"},
@@ -265,7 +266,7 @@ void check_rayleigh_times(const Program& program, Findings& findings) {
     if (number % 3 == 0) compare_oblique(program, spheres, speed, number == 0, worst, differ);
   }
   compare_other_ranges(program, drawn_spheres(draw, 0.3), worst, differ);
-  compare_refusals(program, differ);
+  if (setup.needs("outputs that differ")) compare_refusals(program, differ);
   findings.expect("spheres: Rayleigh time over that of the exact surface wave, largest deviation from 1", worst.wave,
                   0.0,
                   Tolerance::model(0.004,
