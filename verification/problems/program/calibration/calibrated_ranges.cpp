@@ -469,6 +469,7 @@ void check_ranges(const Program& program, Findings& findings) {
   ImpactDraw draw;
   const Environment recorded = picture_options::recorded_pictures();
   const std::size_t count = setup.tier == Tier::full ? 30 : setup.coarse ? 5 : 20;
+  const bool is_of_text = setup.needs("outputs that differ");  // most controls are of the numbers of JSON alone
   for (std::size_t number = 0; number < count; ++number) {
     const ImpactRequest common = draw.request(number);
     const std::size_t kind = setup.coarse ? number : number / 4 % 5;
@@ -480,6 +481,7 @@ void check_ranges(const Program& program, Findings& findings) {
     in_json.push_back({"--json", {}});
     const Json json = program.json({"calibrate"}, in_json);
     compare_json(range, json, setup, worst, differ);
+    if (!is_of_text) continue;
     const std::string out = fmt::format("out{}", number);
     in_feet.insert(in_feet.end(), {{"--units", {"US"}}, {"--out", {out}}, {"--format", {"svg"}}});
     const std::string printed = talus_output(program.folder(), with_options({"calibrate"}, in_feet, setup), recorded);
@@ -487,12 +489,12 @@ void check_ranges(const Program& program, Findings& findings) {
     differ.contains("names of files", printed, fmt::format("{0}/calibration.csv\n{0}/calibration.svg\n", out));
     compare_csv(range, program.csv(out + "/calibration.csv"), json, worst, differ);
     compare_drawing(range, program.read(out + "/calibration.svg"), json, worst, differ);
-    if (setup.needs("ranges: step") || setup.needs("runs at the advised step")) {
-      if (kind == 0 || kind == 2) compare_step(range, program, printed, json, worst);
-    }
+    // Two calls for each pair: in the quick tier of spheres for some laws, of masses for the others.
+    const bool is_of_tier = setup.tier == Tier::full || (kind == 0) == (number % 2 == 0);
+    if ((kind == 0 || kind == 2) && is_of_tier) compare_step(range, program, printed, json, worst);
     if (kind == 0) compare_given(range, program, recorded, json, worst, differ);
   }
-  compare_range_refusals(program, differ);
+  if (is_of_text) compare_range_refusals(program, differ);
   findings.expect("ranges: effective masses over the exact ones, largest deviation from 1", worst.mass, 0.0,
                   Tolerance::round_off(6e-15,
                                        "some ten operations on both sides; radii are spaced by powers here, by "
