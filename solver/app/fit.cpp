@@ -65,9 +65,13 @@ int fit_command(const FitOptions& options, const DrawingSink& sink) {
   // Those of an earlier fit.
   fs::remove(folder / "bootstrap.csv");
   remove_figures(folder / "plots", {"quantity_", "parameters_"});
-  write_whole(folder / "fit.json", json);
-  write_whole(folder / "fit.csv", fit_csv(file, results));
-  if (!fit.samples.empty()) write_whole(folder / "bootstrap.csv", bootstrap_csv(file, fit));
+  const auto write = [&](const char* result, const std::string& text) {
+    write_whole(folder / result, text);
+    if (!options.json) fmt::print("{}\n", (folder / result).string());
+  };
+  write("fit.json", json);
+  write("fit.csv", fit_csv(file, results));
+  if (!fit.samples.empty()) write("bootstrap.csv", bootstrap_csv(file, fit));
   if (options.draws)
     sink({.pictures = {.figures = fit_figures(file, fit, results)},
           .target = folder / "plots",

@@ -31,6 +31,7 @@ PlannedSweep plan_sweep(const std::string& file) {
     TomlValue document = of_scene(name, [&] { return parse_toml(script_text(name, file + ": base"), name); });
     std::vector<app::SweptRun> runs = app::swept_runs(described).runs;
     app::check_fields(document, runs.front());
+    app::SweepBase{document, name}.demand_whole(described, runs.front());
     return {base_of(std::move(document), name), std::move(runs), std::move(described.outputs), described.limits};
   } catch (const SceneInputError&) {
     throw;

@@ -9,6 +9,7 @@
 #include "solver/base/error.hpp"
 #include "verification/record/error.hpp"
 #include "verification/record/json_depth.hpp"
+#include "verification/record/json_fault.hpp"
 
 namespace talus::server {
 namespace {
@@ -31,7 +32,7 @@ Answer answer(const std::string& body, Of&& of) {
   } catch (const records::RecordError& wrong) {
     return error(400, "InvalidInput", wrong.what());
   } catch (const nlohmann::json::exception& wrong) {
-    return error(400, "InvalidInput", fmt::format("the request is not JSON: {}", wrong.what()));
+    return error(400, "InvalidInput", fmt::format("the request is not JSON: {}", records::json_fault(wrong)));
   }
   if (!request.is_object() || !request.contains("name") || !request["name"].is_string())
     return error(400, "InvalidInput", "the request has no name of a model");

@@ -17,6 +17,7 @@
 #include "solver/base/error.hpp"
 #include "verification/record/error.hpp"
 #include "verification/record/json_depth.hpp"
+#include "verification/record/json_fault.hpp"
 #include "verification/record/names.hpp"
 
 namespace talus::verification {
@@ -274,7 +275,8 @@ RecordedResults read_results(const fs::path& file) {
   } catch (const records::RecordError& fault) {
     throw InputError(fault.what());
   } catch (const nlohmann::json::exception& fault) {
-    const std::string message = fault.what();  // "[json.exception.parse_error.101] parse error at line 1, ..."
+    const std::string message =
+        records::json_fault(fault);  // "[json.exception.parse_error.101] parse error at line 1, ..."
     const auto start = message.find("] ");
     throw InputError(fmt::format("{}: is truncated or not JSON: {}", file.string(),
                                  start == std::string::npos ? message : message.substr(start + 2)));

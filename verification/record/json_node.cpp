@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "verification/record/json_depth.hpp"
+#include "verification/record/json_fault.hpp"
 #include "verification/record/json_number.hpp"
 #include "verification/record/whole_file.hpp"
 
@@ -19,7 +20,7 @@ Json read_json(const std::filesystem::path& file) {
   try {
     return Json::parse(text);
   } catch (const Json::exception& fault) {
-    throw RecordError(fmt::format("{}: truncated or not JSON: {}", file.string(), fault.what()));
+    throw RecordError(fmt::format("{}: truncated or not JSON: {}", file.string(), json_fault(fault)));
   }
 }
 

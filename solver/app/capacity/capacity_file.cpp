@@ -169,6 +169,7 @@ CapacityFile read_capacity(std::string_view text, const fs::path& name) {
   SceneTable file{source, document, ""};
   const fs::path folder = name.parent_path();
   CapacityFile made;
+  made.file = name;
   source.collect();
   try {
     file.allow({"title", "base", "mass", "speed", "height", "spin", "along", "set", "map", "changes", "seed", "hazard",

@@ -54,6 +54,7 @@ struct RockHazard {
 
 /// What a file asks about a fence.
 struct CapacityFile {
+  std::filesystem::path file;  ///< named in errors
   std::string title;
   std::filesystem::path base;                             ///< relative to the current folder
   std::vector<std::pair<std::string, TomlValue>> fields;  ///< of the base, set in all runs

@@ -23,22 +23,50 @@ bool has_field(TomlValue document, std::string_view path) {
   return text == nullptr || !text->empty();
 }
 
-SceneFile read_base(const std::string& text, const std::string& name, const CapacityFile& file, bool& gives_mass) {
+/// The base with the fields that the file sets. Errors: InputError; of these fields with the file's name.
+TomlValue base_document(const std::string& text, const std::string& name, const CapacityFile& file) {
   TomlValue document = parse_toml(text, name);
-  for (const auto& [field, value] : file.fields)
-    set_field(document, field, value);
+  if (file.fields.empty()) return document;
+  static_cast<void>(read_scene_file(document, name));
+  try {
+    for (const auto& [field, value] : file.fields)
+      set_field(document, field, value);
+    static_cast<void>(read_scene_file(document, name));
+  } catch (const InputError& error) {
+    throw InputError{fmt::format("{}: set: {}", file.file.string(), error.what())};
+  }
+  return document;
+}
+
+SceneFile read_base(const TomlValue& document, const std::string& name) {
   SceneFile scene = read_scene_file(document, name);
   if (!scene.fence) throw InputError{fmt::format("{}: it must be a fence, with a table [fence]", name)};
   if (const std::size_t count = scene.fence->fence.rocks.size(); count != 1)
     throw InputError{fmt::format("{}: found {} rocks; it must be one, which is replaced by others", name, count)};
-  gives_mass = has_field(document, fmt::format("{}mass", rock_path));
   return scene;
+}
+
+/// The ends of all positions along the fence that the file asks for, without their changes [m].
+std::array<double, 2> ends_along(const CapacityFile& file, double own) {
+  std::vector<double> all = file.positions.empty() ? std::vector{own} : file.positions;
+  if (file.hazard) {
+    if (file.hazard->along) all.insert(all.end(), file.hazard->along->begin(), file.hazard->along->end());
+    if (file.hazard->table_has_along)
+      for (const Rock& rock : file.hazard->table)
+        all.push_back(rock.along);
+  }
+  const auto [least, largest] = std::ranges::minmax(all);
+  return {least - file.changes.along, largest + file.changes.along};
 }
 
 }  // namespace
 
 RockRuns::RockRuns(const std::string& text, const std::string& name, const CapacityFile& file)
-    : base_{read_base(text, name, file, gives_mass_)}, fields_{file.fields}, changes_{file.changes} {
+    : RockRuns{base_document(text, name, file), name, file} {}
+
+RockRuns::RockRuns(const TomlValue& document, const std::string& name, const CapacityFile& file)
+    : base_{read_base(document, name)}, fields_{file.fields}, changes_{file.changes} {
+  gives_mass_ = has_field(document, fmt::format("{}mass", rock_path));
   const UnitSystem& units = this->units();
   const scenes::FenceElement& rock = base_.fence->fence.rocks.front();
   if (rock.velocity.x == 0.0)
@@ -55,6 +83,16 @@ RockRuns::RockRuns(const std::string& text, const std::string& name, const Capac
   if (sets_along_ && base_.fence->fence.options.symmetry == scenes::FenceSymmetry::half)
     throw InputError{fmt::format(
         "{}: [fence.options]: symmetry: found \"half\"; it must be \"full\" for positions along the fence", name)};
+  if (!sets_along_) return;
+  for (const double along : ends_along(file, own_.along)) {
+    Rock there = own_;
+    there.along = along;
+    try {
+      static_cast<void>(read_scene_file(with_parameters(document, run(there, {})), name));
+    } catch (const InputError& error) {
+      throw InputError{fmt::format("{}: along: {}", file.file.string(), error.what())};
+    }
+  }
 }
 
 double RockRuns::start_energy(const Rock& rock) const {

@@ -15,7 +15,8 @@ namespace talus::app {
 class RockRuns {
  public:
   /// `text`: the base, TOML. Errors: InputError for a base that is no fence, has no rock or several, or whose rock does
-  /// not move along x; and if the file has positions along the fence and the base is a half model.
+  /// not move along x; if the file sets a field wrongly; and if it has positions along the fence and the base is a half
+  /// model or has no such position.
   RockRuns(const std::string& text, const std::string& name, const CapacityFile& file);
 
   /// The rock of the base.
@@ -28,10 +29,11 @@ class RockRuns {
   [[nodiscard]] SweptRun run(const Rock& rock, const std::array<double, 5>& numbers) const;
 
  private:
+  RockRuns(const TomlValue& document, const std::string& name, const CapacityFile& file);
   /// Height of the base's rock's centre, at this distance from its place, above the ground [m].
   double height_at(Vec2 shift) const;
 
-  bool gives_mass_{};                ///< the base gives its rock's mass, not the density; found while the base is read
+  bool gives_mass_{};                ///< the base gives its rock's mass, not the density
   bool sets_spin_{}, sets_along_{};  ///< the file asks for spins or positions other than the base's
   SceneFile base_;
   std::vector<std::pair<std::string, TomlValue>> fields_;

@@ -4,6 +4,7 @@
 
 #include "solver/base/error.hpp"
 #include "solver/command_line/shell_word.hpp"
+#include "solver/io/fence_file.hpp"
 
 namespace talus::app {
 namespace {
@@ -47,6 +48,11 @@ reports::Command engine_command(Engine engine, const EngineRequest& request, con
   if (request.hosts.empty()) {
     command.arguments = {"--jobs", fmt::format("{}", request.threads)};
   } else {
+    try {
+      static_cast<void>(read_text(request.hosts));
+    } catch (const IoError& error) {
+      throw IoError{fmt::format("--hosts: {}", error.what())};
+    }
     command.arguments = {"--sshloginfile", request.hosts};
   }
   command.arguments.insert(command.arguments.end(), request.options.begin(), request.options.end());

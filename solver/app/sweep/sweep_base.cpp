@@ -1,6 +1,7 @@
 #include "solver/app/sweep/sweep_base.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <utility>
 
@@ -23,11 +24,21 @@ std::variant<SweptScene, SweptCell> swept(TomlValue document, std::string name) 
 SweepBase::SweepBase(TomlValue document, std::string name) : swept_{swept(std::move(document), std::move(name))} {}
 
 void SweepBase::choose(std::vector<std::string> outputs, std::string_view where) {
-  try {
-    std::visit([&](auto& of) { of.choose(std::move(outputs)); }, swept_);
-  } catch (const InputError& error) {
-    throw InputError{fmt::format("{}: {}", where, error.what())};
-  }
+  const auto fault_of = [&](std::vector<std::string> chosen) -> std::string {
+    try {
+      std::visit([&](auto& of) { of.choose(std::move(chosen)); }, swept_);
+    } catch (const InputError& error) {
+      return fmt::format("{}: {}", where, error.what());
+    }
+    return {};
+  };
+  const std::string fault = fault_of(outputs);
+  if (fault.empty()) return;
+  // All that are wrong, at once.
+  std::vector<std::string> faults;
+  for (const std::string& output : outputs)
+    if (const std::string alone = fault_of({output}); !alone.empty()) faults.push_back(alone);
+  throw InputError{faults.empty() ? fault : fmt::format("{}", fmt::join(faults, "\n"))};
 }
 
 const TomlValue& SweepBase::document() const {
@@ -45,6 +56,26 @@ const UnitSystem& SweepBase::units() const {
 bool SweepBase::is_fence() const {
   const auto* const scene = std::get_if<SweptScene>(&swept_);
   return scene != nullptr && scene->is_fence();
+}
+
+void SweepBase::demand_whole(const SweepFile& sweep, const SweptRun& run) const {
+  for (std::size_t i = 0; i < sweep.axes.size(); ++i) {
+    const SweepAxis& axis = sweep.axes[i];
+    if (!axis.continuous || !axis.continuous->whole) continue;
+    const std::string& field = axis.fields.front();
+    SweptRun changed = run;
+    for (auto& [name, value] : changed.parameters)
+      if (name == field) value.data = axis.continuous->quantiles.front().second + 0.5;
+    try {
+      static_cast<void>(end(changed));
+    } catch (const InputError&) {
+      continue;  // as of a field of whole numbers
+    }
+    throw InputError{
+        fmt::format("axis {}: range: found whole numbers for '{}', which takes others, too; write them with decimals, "
+                    "e.g. [0.0, 1.0], or give `values`",
+                    i + 1, field)};
+  }
 }
 
 double SweepBase::end(const SweptRun& run) const {

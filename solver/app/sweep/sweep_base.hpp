@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "solver/app/sweep/sweep_file.hpp"
 #include "solver/app/sweep/swept_cell.hpp"
 #include "solver/app/sweep/swept_scene.hpp"
 
@@ -26,6 +27,10 @@ class SweepBase {
   const std::vector<SweepOutput>& outputs() const;
   const UnitSystem& units() const;
   bool is_fence() const;
+
+  /// Errors: InputError for an axis of whole numbers whose field takes other numbers, too, in this run. Of such a field
+  /// `range = [0, 1]` hardly means two values.
+  void demand_whole(const SweepFile& sweep, const SweptRun& run) const;
 
   /// Time at which a run is planned to end [T]. Errors: InputError for a wrong field or value.
   [[nodiscard]] double end(const SweptRun& run) const;

@@ -16,6 +16,7 @@
 #include "solver/io/file/atomic_file.hpp"
 #include "solver/io/file/toml_document.hpp"
 #include "solver/io/output/checkpoint.hpp"
+#include "verification/record/json_fault.hpp"
 
 namespace talus::app {
 namespace {
@@ -87,7 +88,8 @@ SweepFolder read_description(const fs::path& folder, std::size_t& count) {
     sweep.limits.evaluations = json.at("limits").value("evaluations", std::int64_t{0});
     count = json.at("runs").get<std::size_t>();
   } catch (const nlohmann::json::exception& error) {
-    throw InputError{fmt::format("{}: {}", file.string(), error.what())};
+    throw InputError{fmt::format("{}: not the description of a sweep; plan the sweep again: {}", file.string(),
+                                 records::json_fault(error))};
   }
   sweep.base_text = read_text(folder / base_name);
   return sweep;

@@ -44,7 +44,7 @@ std::vector<SweepInput> inputs_of(const SweepFile& sweep) {
 SweepBase base_of(const SweepFile& sweep, const std::filesystem::path& file) {
   const std::string name = sweep.base.string();
   SweepBase base{parse_toml(base_text(sweep.base, file.string() + ": base"), name), name};
-  of_file(file, [&] { base.choose(sweep.outputs); });
+  base.choose(sweep.outputs, file.string() + ": outputs");
   return base;
 }
 
@@ -65,6 +65,7 @@ SweepFunction::SweepFunction(const std::filesystem::path& file)
       }
     }
     check_fields(base_.document(), first);
+    base_.demand_whole(sweep_, first);
   });
 }
 

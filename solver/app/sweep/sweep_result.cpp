@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "solver/base/error.hpp"
+#include "verification/record/json_fault.hpp"
 
 namespace talus::app {
 namespace {
@@ -49,7 +50,8 @@ SweepResult result_of_line(const std::string& line, std::string_view sweep) {
       result.values.push_back(value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>());
     return result;
   } catch (const nlohmann::json::exception& error) {
-    throw InputError{fmt::format("not a result; remove this line and run the sweep again: {}", error.what())};
+    throw InputError{
+        fmt::format("not a result; remove this line and run the sweep again: {}", records::json_fault(error))};
   }
 }
 

@@ -15,6 +15,7 @@
 #include "solver/base/units.hpp"
 #include "solver/io/file/toml_field.hpp"
 #include "solver/io/output/checkpoint.hpp"
+#include "verification/record/json_fault.hpp"
 
 namespace talus::app {
 namespace {
@@ -200,7 +201,8 @@ SweptRun run_of_line(const std::string& line) {
       run.parameters.emplace_back(field, value_of(value));
     return run;
   } catch (const nlohmann::json::exception& error) {
-    throw InputError{fmt::format("not a run; remove this line and plan the sweep again: {}", error.what())};
+    throw InputError{
+        fmt::format("not a run; remove this line and plan the sweep again: {}", records::json_fault(error))};
   }
 }
 

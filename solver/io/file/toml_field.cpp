@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 
 #include "solver/base/error.hpp"
@@ -38,6 +39,9 @@ std::vector<std::string> keys_of(const TomlTable& table) {
     keys.push_back(entry.key);
   return keys;
 }
+
+/// Tables that a file may leave out with all their fields.
+constexpr std::array<std::string_view, 2> optional_tables{"options", "watch"};
 
 /// The table of a list that has this name.
 TomlValue& named(TomlArray& list, const std::string& name, std::string_view path) {
@@ -92,6 +96,11 @@ TomlValue& field_at(TomlValue& document, std::string_view path) {
           fmt::format("'{}': nothing can be below '{}', which is a value; give a shorter path", path, keys[i - 1].key)};
     TomlEntry* const entry = entry_of(*table, key.key);
     if (entry == nullptr) {
+      if (!is_last && !key.index && std::ranges::find(optional_tables, key.key) != optional_tables.end()) {
+        table->push_back({key.key, {TomlTable{}, at->line}});
+        at = &table->back().value;
+        continue;
+      }
       if (!is_last)
         throw InputError{fmt::format("'{}': {}", path, unknown_name("field", key.key, keys_of(*table)).what())};
       if (key.index)

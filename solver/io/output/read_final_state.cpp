@@ -6,6 +6,7 @@
 
 #include "solver/base/error.hpp"
 #include "solver/io/file/json_text.hpp"
+#include "verification/record/json_fault.hpp"
 
 namespace talus {
 
@@ -37,7 +38,8 @@ std::vector<scenes::StretchedCable> read_stretched_cables(const std::filesystem:
   } catch (const InputError& error) {
     throw InputError{fmt::format("{}: {}", file.string(), error.what())};
   } catch (const Json::exception& error) {
-    throw InputError{fmt::format("{}: it is not the final state of a run: {}", file.string(), error.what())};
+    throw InputError{
+        fmt::format("{}: it is not the final state of a run: {}", file.string(), records::json_fault(error))};
   }
   return stretched;
 }

@@ -12,6 +12,7 @@
 #include "solver/io/file/atomic_file.hpp"
 #include "solver/io/file/json_text.hpp"
 #include "solver/io/file/shown_title.hpp"
+#include "verification/record/json_fault.hpp"
 
 namespace talus {
 namespace {
@@ -84,7 +85,7 @@ RunFolder read_run_folder(const std::filesystem::path& folder) {
     }
   } catch (const nlohmann::json::exception& error) {
     throw InputError{fmt::format("{}: it is not a file written by `talus run --out` or `talus cell --out`: {}",
-                                 file.string(), error.what())};
+                                 file.string(), records::json_fault(error))};
   }
   return run;
 }

@@ -3,8 +3,10 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <stdexcept>
 
 #include "tests/verification/record/scratch.hpp"
+#include "verification/record/json_fault.hpp"
 #include "verification/record/json_number.hpp"
 
 BOOST_AUTO_TEST_SUITE(json_node_tests)
@@ -107,6 +109,16 @@ BOOST_AUTO_TEST_CASE(files_that_are_no_json_are_refused) {
   BOOST_TEST(holds(read("{\"a\": 1"), "a.json: truncated or not JSON: "));
   BOOST_TEST(holds(read("{\"a\": 1e999}"), "a.json: truncated or not JSON: "));
   BOOST_TEST(holds(error_message([&] { (void)read_json(folder.path / "none"); }), "No such file or directory"));
+}
+
+BOOST_AUTO_TEST_CASE(errors_of_the_library_are_without_their_numbers) {
+  try {
+    static_cast<void>(Json::parse("{}").at("id"));
+    BOOST_FAIL("a member that is missing was found");
+  } catch (const Json::exception& error) {
+    BOOST_TEST(json_fault(error) == "key 'id' not found");
+  }
+  BOOST_TEST(json_fault(std::runtime_error{"[x] y"}) == "[x] y");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -55,6 +55,16 @@ BOOST_AUTO_TEST_CASE(fields_of_all_kinds_are_set) {
   BOOST_TEST(text(at(at(at(at(changed("fence.rock[1].a"), "fence"), "rock"), 0), "a")) == "1 m");
 }
 
+BOOST_AUTO_TEST_CASE(tables_that_may_be_left_out_are_added) {
+  BOOST_TEST(text(at(at(at(changed("fence.options.symmetry"), "fence"), "options"), "symmetry")) == "new");
+  BOOST_TEST(text(at(at(at(changed("run.watch.accuracy"), "run"), "watch"), "accuracy")) == "new");
+  TomlValue twice = changed("run.watch.accuracy", "first");
+  set_field(twice, "run.watch.quality", {"second"});
+  BOOST_TEST(text(at(at(at(twice, "run"), "watch"), "accuracy")) == "first");
+  BOOST_TEST(text(at(at(at(twice, "run"), "watch"), "quality")) == "second");
+  refused("fence.options[0].x", "field 'options' is not known");
+}
+
 BOOST_AUTO_TEST_CASE(a_changed_value_keeps_its_line) {
   BOOST_TEST(at(at(changed("body.b.mass"), "body"), 1).line == 7);
   BOOST_TEST(at(at(at(changed("body.b.mass"), "body"), 1), "mass").line == 9);

@@ -21,6 +21,7 @@ void check_refusals(const Program& program, Differences& differ) {
   program.write("positions.csv", "mass [kg],speed [m/s],height [m],along [m]\n1,1,1,1\n");
   program.write("infinite.csv", "mass [kg],speed [m/s],height [m]\n1,1,inf\n");
   program.write("empty.csv", "mass [kg],speed [m/s],height [m]\n");
+  program.write("own.toml", program.run({"new", "fence"}));
   const std::string mass = "mass = [\"1 kg\", \"2 kg\"]\n", speed = "speed = [\"1 m/s\", \"2 m/s\"]\n",
                     good = "base = \"fence.toml\"\n" + mass + speed;
   struct Wrong {
@@ -53,7 +54,17 @@ void check_refusals(const Program& program, Differences& differ) {
        "hazard: spin: found [\"2 rad/s\", \"1 rad/s\"]; the first must be at most the second"},
       {good + "heigth = \"1 m\"\n", "wrong.toml:4: heigth: "},
       {good + "set = 3\n", "wrong.toml:4: set: it must be a table of fields"},
-      {good + "set = { \"fence.colums\" = 3 }\n", "colums"},
+      {good + "set = { \"fence.colums\" = 3 }\n", "wrong.toml: set: fence.toml:4: fence: colums: "},
+      {good + "set = { \"fence.rocks.a\" = 3 }\n", "wrong.toml: set: 'fence.rocks.a': field 'rocks' is not known"},
+      {"base = \"own.toml\"\n" + mass + speed +
+           "along = [\"-1.5 m\", \"0 m\"]\nset = { \"fence.options.symmetry\" = \"full\" }\n[changes]\nalong = \"50 "
+           "m\"\n",
+       "wrong.toml: along: own.toml:"},
+      {"base = \"own.toml\"\n" + mass + speed +
+           "set = { \"fence.options.symmetry\" = \"full\" }\n[hazard]\nmass = \"1 kg\"\nspeed = \"1 m/s\"\nheight = "
+           "\"1 "
+           "m\"\nalong = [\"-1 m\", \"50 m\"]\n",
+       "along: found 50 m; it must be in front of the columns, within "},
       {good + "[map]\ncells = 24\nfirst_cells = 5\n",
        "found 24 cells, 5 at first; the first must be a power of two times the second"},
       {good + "[map]\ncells = 8\nfirst_cells = 16\n", "found 8 cells, 16 at first"},

@@ -326,6 +326,7 @@ void check_changes(const Program& program, Differences& differ) {
                 "[changes]\nspeed = 0.0\nheight = \"0.125 m\"\nangle = \"0.25 rad\"\nspin = \"1 rad/s\"\n");
   const std::string text = program.run({"capacity", "changes.toml"});
   differ.contains("text", text, "height 4.25 m: 16 runs (100 % of the full grid)");
+  differ.contains("names of files", text, "\nchanges/capacity.csv\nchanges/capacity.json\nchanges/plots/");
   for (const char* const file : {"envelope_1.svg", "envelope_2.pdf", "cable_force_1.svg"})
     differ.holds("figure", program.has(fmt::format("changes/plots/{}", file)));
   program.run({"sweep", "collect", "changes"});

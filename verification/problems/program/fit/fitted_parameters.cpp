@@ -272,7 +272,9 @@ void check_warnings(const Program& program, Differences& differ) {
                                  parameter("contact.hit.stiffness", "[\"5 kN/m\", \"100 kN/m\"]") + few);
   const auto message = [&](const std::string& name) { return program.end({"fit", name}); };
   const ProgramEnd both = message("both.toml");
-  talus_output(program.folder(), {"fit", "both.toml", "--out", "both"}, picture_options::recorded_pictures());
+  const std::string named =
+      talus_output(program.folder(), {"fit", "both.toml", "--out", "both"}, picture_options::recorded_pictures());
+  differ.contains("names of files", named, "\nboth/fit.json\nboth/fit.csv\nboth/bootstrap.csv\nboth/plots/");
   const records::Csv drawn = program.csv("both/bootstrap.csv");
   const auto picture = picture_options::read_picture(program.read("both/plots/parameters_1.svg"));
   std::vector<picture_options::Point> points;

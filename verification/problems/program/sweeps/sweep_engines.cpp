@@ -46,6 +46,7 @@ void check_engines(const Program& program, const std::string& sweep, Differences
         std::string{"--mem=1G"}, "--output=" + (whole / "it's slurm/part-%a.log").string(),
         (whole / "it's slurm/part.sh").string()})
     differ.contains("sbatch " + argument, slurm, "\n" + argument + "\n");
+  program.write("h.txt", "localhost\n");
   const std::string parallel =
       submit("parallel", "it's parallel", {{"--parts", {"2"}}, {"--hosts", {"h.txt"}}, {"--option", {"--bar"}}});
   differ.holds("parallel with hosts",

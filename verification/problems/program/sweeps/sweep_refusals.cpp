@@ -27,6 +27,12 @@ std::vector<Wrong> wrong_sweeps() {
       {"base = \"ball.toml\"\noutputs = [3]\n" + good, "wrong.toml:2: outputs: found 3; it must be a text"},
       {"base = \"ball.toml\"\noutputs = [\"ball.vz.end\"]\n" + good,
        "wrong.toml: outputs: column 'ball.vz' is not known"},
+      {"base = \"ball.toml\"\noutputs = [\"ball.vz.end\", \"ball.vx.max\", \"ball.vw.end\"]\n" + good,
+       "\ntalus: wrong.toml: outputs: column 'ball.vw' is not known"},
+      {"base = \"own.toml\"\noutputs = [\"rock.vx.end\"]\n" + sobol +
+           "[[axis]]\nfield = \"fence.columns\"\nrange = [5, 9]\n[[axis]]\nfield = \"fence.restitution\"\nrange = [0, "
+           "1]\n",
+       "wrong.toml: axis 2: range: found whole numbers for 'fence.restitution', which takes others, too"},
       {"base = \"ball.toml\"\noutputs = [\"ball.vx\"]\n" + good, "outputs: found \"ball.vx\"; it must end in .max"},
       {"base = \"ball.toml\"\noutputs = [\"impact.hut[0].touch_time\"]\n" + good,
        "wrong.toml: outputs: contact 'hut' is not known; nearest: hit"},
@@ -125,6 +131,7 @@ std::vector<Wrong> wrong_sweeps() {
 
 void check_refusals(const Program& program, Differences& differ) {
   program.write("bad.csv", "step [s],step [sec]\n1,1\n");
+  program.write("own.toml", program.run({"new", "fence"}));
   for (const Wrong& wrong : wrong_sweeps()) {
     program.write("wrong.toml", wrong.text);
     const ProgramEnd end = program.end({"sweep", "plan", "wrong.toml"});
@@ -153,9 +160,19 @@ void check_refusals(const Program& program, Differences& differ) {
        "--hosts: only the engine 'parallel'"},
       {{"sweep", "submit", "grid"}, {{"--engine", {"parallel"}}, {"--wait", {}}}, "--wait: only the engine 'slurm'"},
       {{"sweep", "submit", "grid"}, {{"--parts", {"0"}}}, "--parts"},
+      {{"sweep", "submit", "grid"},
+       {{"--engine", {"parallel"}}, {"--hosts", {"nowhere.txt"}}},
+       "--hosts: nowhere.txt: No such file or directory",
+       4},
+      {{"sweep", "evaluate", "real.toml", "params.in", "results.out"},
+       {},
+       "real.toml: axis 1: range: found whole numbers for 'fence.restitution', which takes others, too"},
       {{"sweep", "plan", "lone.toml"}, {}, "lone.toml: base: nowhere.toml: No such file or directory", 4},
       {{"sweep", "run", "nowhere"}, {}, "nowhere", 4},
       {{"sweep", "status", "."}, {}, "found a folder without sweep.json; it must be the folder of a sweep", 4}};
+  program.write("real.toml",
+                "base = \"own.toml\"\noutputs = [\"rock.vx.end\"]\n[[axis]]\nfield = \"fence.restitution\"\n"
+                "range = [0, 1]\ncount = 2\n");
   program.write("lone.toml", "base = \"nowhere.toml\"\noutputs = [\"ball.vx.end\"]\n" + good);
   for (const WrongCommand& wrong : commands) {
     const ProgramEnd end = program.end(wrong.command, wrong.options);
@@ -164,11 +181,11 @@ void check_refusals(const Program& program, Differences& differ) {
   const std::string manifest = program.read("grid/manifest.jsonl");
   program.write("grid/manifest.jsonl", manifest + "{\"id\": 3}\n");
   const ProgramEnd damaged = program.end({"sweep", "status", "grid"});
-  differ.holds(
-      "refusal: a damaged manifest",
-      damaged.exit_code == 2 &&
-          damaged.messages.find("grid/manifest.jsonl:17: not a run; remove this line and plan the sweep again: ") !=
-              std::string::npos);
+  differ.holds("refusal: a damaged manifest",
+               damaged.exit_code == 2 &&
+                   damaged.messages.find(
+                       "grid/manifest.jsonl:17: not a run; remove this line and plan the sweep again: type must "
+                       "be string, but is number\n") != std::string::npos);
   program.write("grid/manifest.jsonl", manifest.substr(0, manifest.find('\n') + 1));
   const ProgramEnd shorter = program.end({"sweep", "status", "grid"});
   differ.ended("refusal: a shorter manifest", shorter, 2, "found 1 runs; sweep.json has 16");
@@ -178,6 +195,11 @@ void check_refusals(const Program& program, Differences& differ) {
   differ.ended("refusal: an id of other parameters", program.end({"sweep", "status", "grid"}), 2,
                "grid/manifest.jsonl:1: found the id 0000");
   program.write("grid/manifest.jsonl", manifest);
+  const std::string description = program.read("grid/sweep.json");
+  program.write("grid/sweep.json", "{\"schema\": 1}\n");
+  differ.ended("refusal: a damaged description", program.end({"sweep", "status", "grid"}), 2,
+               "grid/sweep.json: not the description of a sweep; plan the sweep again: key 'title' not found\n");
+  program.write("grid/sweep.json", description);
   std::string lost = program.read(program.files("grid/results").front());
   lost.replace(lost.find("\"finished\""), 10, "\"lost\"");
   program.write("grid/results/wrong.jsonl", lost.substr(0, lost.find('\n') + 1));
