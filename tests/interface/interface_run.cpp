@@ -1,6 +1,7 @@
 /// talus_interface_run: changes each item of the program's interface that a case uses (options, fields of scenes,
 /// columns and members of its files), one at a time, and runs the cases that use it.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -12,6 +13,7 @@
 #include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <map>
 #include <regex>
 #include <set>
@@ -131,11 +133,19 @@ std::vector<std::string> all_options() {
     for (const std::string& name : matches(help, "\n  (?:-[a-z],)?(--[a-z-]+)"))
       if (name != "--help") options.push_back(fmt::format("option {} {}", command, name));
   };
-  const std::string help = output_of({"--help"});
-  add("talus", help);
-  const std::size_t list = help.find("Subcommands:");
-  for (const std::string& command : matches(help.substr(list, help.find("\n\n", list) - list), "\n  ([a-z]+) "))
-    add(command, output_of({command, "--help"}));
+  const std::function<void(const std::vector<std::string>&)> add_commands = [&](const std::vector<std::string>& words) {
+    std::vector<std::string> arguments = words;
+    arguments.emplace_back("--help");
+    const std::string help = output_of(arguments);
+    add(words.empty() ? "talus" : fmt::format("{}", fmt::join(words, " ")), help);
+    const std::size_t list = help.find("Subcommands:");
+    if (list == std::string::npos) return;
+    for (const std::string& command : matches(help.substr(list, help.find("\n\n", list) - list), "\n  ([a-z]+) ")) {
+      arguments.back() = command;
+      add_commands(arguments);
+    }
+  };
+  add_commands({});
   return options;
 }
 

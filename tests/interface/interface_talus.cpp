@@ -4,9 +4,10 @@
 /// and its exit status are appended; TALUS_INTERFACE_ITEM the item to change, "rewrite" for none, with JSON files
 /// written again (if it is not set nothing is changed, and the items of files are recorded).
 /// Besides the items of files (interface_text.hpp) there are "option COMMAND --name" ("option talus --version" without
-/// a command), which is dropped from the command line with its values, and "output COMMAND: member" of a JSON text on
-/// stdout.
+/// a command, "option sweep plan --out" with a command of a command), which is dropped from the command line with its
+/// values, and "output COMMAND: member" of a JSON text on stdout.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -34,11 +35,29 @@ std::string variable(const char* name) {
   return value == nullptr ? "" : value;
 }
 
+std::string help_of(const std::string& program, std::vector<std::string> command) {
+  command.emplace_back("--help");
+  return reports::run({program, command, {}, {}}).output;
+}
+
+/// The command of the arguments, in words: none, one, or two if the first one's help lists the second.
+std::vector<std::string> command_of(const std::string& program, const std::vector<std::string>& arguments) {
+  if (arguments.empty() || arguments.front().starts_with("--")) return {};
+  std::vector<std::string> command{arguments.front()};
+  static const std::regex word("[a-z]+");
+  if (arguments.size() < 2 || !std::regex_match(arguments[1], word)) return command;
+  const std::string help = help_of(program, command);
+  const std::size_t list = help.find("Subcommands:");
+  if (list != std::string::npos && help.find("\n  " + arguments[1] + " ", list) != std::string::npos)
+    command.push_back(arguments[1]);
+  return command;
+}
+
 /// Number of values of an option among the arguments from `first` on, from the command's help: "--x TEXT",
 /// "--x TEXT x 2" or "--x TEXT ..." (all up to the next option).
-std::size_t values_of(const std::string& program, const std::string& command, const std::string& option,
+std::size_t values_of(const std::string& program, const std::vector<std::string>& command, const std::string& option,
                       const std::vector<std::string>& arguments, std::size_t first) {
-  const std::string help = reports::run({program, {command, "--help"}, {}, {}}).output;
+  const std::string help = help_of(program, command);
   const std::regex line("\n  (-[a-z],)?" + option +
                         " +[A-Z]+(:[^\n]*[\\]}])?(=[^ \n]+)?( REQUIRED)?( x ([0-9]+)| \\.\\.\\.)?");
   std::smatch found;
@@ -93,8 +112,8 @@ void keep_original(const fs::path& file, const std::string& text) {
 int main(int argc, char** argv) {
   const std::string program = variable("TALUS_INTERFACE_PROGRAM"), item = variable("TALUS_INTERFACE_ITEM");
   std::vector<std::string> arguments(argv + 1, argv + argc);
-  const bool has_command = !arguments.empty() && !arguments.front().starts_with("--");
-  const std::string command = has_command ? arguments.front() : "talus";
+  const std::vector<std::string> words = command_of(program, arguments);
+  const std::string command = words.empty() ? "talus" : fmt::format("{}", fmt::join(words, " "));
   std::set<std::string> items;
   bool reached = false;
 
@@ -112,7 +131,7 @@ int main(int argc, char** argv) {
       continue;
     }
     reached = true;
-    if (name == arguments[i]) i += values_of(program, command, name, arguments, i + 1);
+    if (name == arguments[i]) i += values_of(program, words, name, arguments, i + 1);
   }
 
   std::vector<std::string> named = passed;
@@ -150,7 +169,7 @@ int main(int argc, char** argv) {
   for (const auto& [file, text] : inputs)
     if (fs::exists(file)) write(file, text);
 
-  const fs::path printed = "stdout." + command + ".json";  // "member *.COMMAND.json: ..."
+  const fs::path printed = fmt::format("stdout.{}.json", fmt::join(words, "."));  // "member *.COMMAND.json: ..."
   if (item.empty()) items.merge(items_of(printed, finished.output));
   const auto other = item == "rewrite" ? rewritten(printed, finished.output) : changed(printed, finished.output, item);
   if (other && finished.output.starts_with("{")) reached = true, finished.output = *other;

@@ -1,5 +1,6 @@
 #include "verification/problems/program/sweeps/sweep_refusals.hpp"
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -195,11 +196,10 @@ void check_refusals(const Program& program, Differences& differ) {
   differ.ended("refusal: an id of other parameters", program.end({"sweep", "status", "grid"}), 2,
                "grid/manifest.jsonl:1: found the id 0000");
   program.write("grid/manifest.jsonl", manifest);
-  const std::string description = program.read("grid/sweep.json");
-  program.write("grid/sweep.json", "{\"schema\": 1}\n");
-  differ.ended("refusal: a damaged description", program.end({"sweep", "status", "grid"}), 2,
-               "grid/sweep.json: not the description of a sweep; plan the sweep again: key 'title' not found\n");
-  program.write("grid/sweep.json", description);
+  std::filesystem::create_directory(program.folder().path() / "damaged");
+  program.write("damaged/sweep.json", "{\"schema\": 1}\n");
+  differ.ended("refusal: a damaged description", program.end({"sweep", "status", "damaged"}), 2,
+               "damaged/sweep.json: not the description of a sweep; plan the sweep again: key 'title' not found\n");
   std::string lost = program.read(program.files("grid/results").front());
   lost.replace(lost.find("\"finished\""), 10, "\"lost\"");
   program.write("grid/results/wrong.jsonl", lost.substr(0, lost.find('\n') + 1));
