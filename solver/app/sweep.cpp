@@ -94,7 +94,7 @@ struct Sample {
 };
 
 /// Runs the first, the middle and the last one, each for at most a tenth of a second: the cost of all is extrapolated.
-/// The first one is run before, since it touches and tidies memory, too; short ones are repeated for their least time.
+/// The first one is run before, since it touches and tidies memory, too; short ones are repeated.
 std::vector<Sample> samples_of(const SweepFolder& sweep, const SweepBase& base) {
   std::vector<Sample> samples;
   SweepLimits limits = sweep.limits;
@@ -107,12 +107,14 @@ std::vector<Sample> samples_of(const SweepFolder& sweep, const SweepBase& base) 
     if (i == last) continue;
     last = i;
     Sample sample{i + 1, {}, 0.0};
+    // Their mean: with a limit of the processor's time (ulimit -t) the kernel counts it in ticks.
     constexpr double repeated_time = 0.02;
     const double first = processor_time();
-    for (double start = first, now = first; now - first < repeated_time; start = now) {
+    double elapsed = 0.0;
+    for (int runs = 1; elapsed < repeated_time; ++runs) {
       sample.result = base.result(sweep.runs[i], limits, [] { return false; });
-      now = processor_time();
-      sample.seconds = start == first ? now - start : std::min(sample.seconds, now - start);
+      elapsed = processor_time() - first;
+      sample.seconds = elapsed / runs;
     }
     const auto evaluations = static_cast<double>(sample.result.evaluations);
     const bool is_of_sweep = is_short || (limits.evaluations > 0 && sample.result.evaluations >= limits.evaluations);

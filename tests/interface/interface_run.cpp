@@ -49,13 +49,15 @@ struct Options {
 struct Trial {
   enum class End { green, red, error } end{};
   std::string check;           ///< the first failed check, or the error
+  std::string why;             ///< justification of this check
   std::set<std::string> seen;  ///< items of the program's calls
   int refusals{};              ///< calls that ended with exit status 2
   bool reached{};              ///< something was changed
   double seconds{};
 };
 
-/// The right setup of the case, in this process: its result as a text, "green", "red CHECK" or "error WHAT".
+/// The right setup of the case, in this process: its result as a text, "green", "error WHAT" or "red CHECK" with the
+/// justification of the check, which names what differs, on the next line.
 std::string result_of(const Case& one) {
   verification::Findings findings;
   try {
@@ -64,7 +66,7 @@ std::string result_of(const Case& one) {
     return std::string("error ") + thrown.what();
   }
   for (const records::Check& check : findings.checks())
-    if (!check.pass) return "red " + check.name;
+    if (!check.pass) return "red " + check.name + "\n" + check.why;
   return "green";
 }
 
@@ -91,7 +93,11 @@ Trial tried(const Case& one, const std::string& item, const fs::path& folder) {
   Trial trial;
   const std::string result = fs::exists(folder / "result") ? records::read_whole(folder / "result") : "error crash";
   trial.end = result == "green" ? Trial::End::green : result.starts_with("red ") ? Trial::End::red : Trial::End::error;
-  if (trial.end != Trial::End::green) trial.check = result.substr(result.find(' ') + 1);
+  if (trial.end != Trial::End::green) {
+    const std::size_t line = std::min(result.find('\n'), result.size()), name = result.find(' ') + 1;
+    trial.check = result.substr(name, line - name);
+    trial.why = result.substr(std::min(line + 1, result.size()));
+  }
   std::ifstream log(folder / "log");
   for (std::string line; std::getline(log, line);) {
     if (line.starts_with("exit ")) {
@@ -196,7 +202,7 @@ int run(const Options& options) {
     const Case& one = cases[i / 2];
     const Trial trial = tried(one, i % 2 == 0 ? "" : "rewrite", scratch / std::to_string(i));
     if (trial.end != Trial::End::green)
-      throw std::runtime_error(fmt::format("case {} is red without a change: {}", one.id, trial.check));
+      throw std::runtime_error(fmt::format("case {} is red without a change: {}\n{}", one.id, trial.check, trial.why));
     if (i % 2 == 0) unchanged[i / 2] = trial;
   });
 
