@@ -418,6 +418,21 @@ void check_lammps(const TemporaryFolder& folder, Findings& findings, const Setup
   findings.expect("in.discs: step, steps, weight of the block and area of the stresses, largest relative error", run,
                   0.0, round_off);
 
+  // A prime number of steps, so that contacts are sampled at each.
+  (void)talus_output(folder, {"export", "lammps", "rough.toml", "--steps", "4003", "--out", "prime"});
+  const std::string shorter = folder.read("prime/in.discs");
+  findings.expect("in.discs of 4003 steps: first step of the means",
+                  numbers_after(shorter, "print \"means after step").at(0), 1000.0,
+                  Tolerance::exact("they leave out the first quarter of the given steps, not of the scene's"));
+  findings.expect("in.discs of 4003 steps: steps between two samples of the contacts",
+                  numbers_after(shorter, "fix mean_contact all ave/time").at(0), 1.0,
+                  Tolerance::exact("it divides the number of steps, which is prime"));
+  double pushing = 0.0;
+  for (const char* const types : {"2 2", "2 3", "3 3"})
+    pushing += input.find(fmt::format("\nneigh_modify exclude type {}\n", types)) == std::string::npos ? 1.0 : 0.0;
+  findings.expect("in.discs: pairs of walls whose discs would push each other", pushing, 0.0,
+                  Tolerance::exact("base and block, types 2 and 3: each with itself and with the other"));
+
   // Atoms: number, type, diameter, density, x, y, z. The mass of a sphere is density pi d^3/6.
   std::istringstream atoms{data.substr(data.find("Atoms # sphere") + 14)};
   double masses = 0.0, positions = 0.0, block = 0.0;
@@ -475,6 +490,9 @@ void check_spheres(const TemporaryFolder& folder, Findings& findings, const Setu
                   Tolerance::round_off(5e-15,
                                        "about ten roundings on either side, 1.1e-16 each, in 17 digits; twice "
                                        "that"));
+  findings.expect_true("in.discs of spheres: contacts that do not pull",
+                       input.find(" damping velocity limit_damping\n") != std::string::npos,
+                       "the end rule of the cell is clamped, which LAMMPS calls limit_damping");
 }
 
 void run(Findings& findings, const Setup& setup) {
