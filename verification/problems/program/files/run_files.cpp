@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <numbers>
+#include <set>
 
 #include "verification/check/case.hpp"
 #include "verification/record/csv.hpp"
 #include "verification/record/json_node.hpp"
+#include "verification/record/whole_file.hpp"
 #include "verification/reference/motion/constant_force.hpp"
 #include "verification/reference/motion/damped_oscillator.hpp"
 #include "verification/study/findings/curves.hpp"
@@ -260,6 +263,28 @@ void check_history(const Csv& history, Findings& findings) {
   findings.expect("history.csv: energies and balances, largest error", worst_ledger, 0.0, of_files());
 }
 
+/// The balances of the thrown body alone by the integrator `exact`, which adds forces and moments over its segments.
+void check_exact(const TemporaryFolder& folder, Findings& findings) {
+  const std::string all = folder.read("scene.toml");
+  folder.write("thrown.toml",
+               all.substr(0, all.find("[[body]]\nname = \"pressed\"")) +
+                   "[run]\nintegrator = \"exact\"\nstep = \"10 ms\"\nend = \"1 s\"\ninterval = \"50 ms\"\n");
+  (void)talus_output(folder, {"run", "thrown.toml", "--out", "exact"});
+  const Csv history = records::read_csv(folder.path() / "exact/history.csv");
+  double worst = 0.0;
+  for (const Quantity& quantity : quantities()) {
+    if (!quantity.name.starts_with("balance_error.")) continue;
+    const std::size_t column = history.column(fmt::format("{} [{}]", quantity.name, quantity.unit));
+    for (std::size_t row = 0; row < history.rows(); ++row)
+      keep_worst(worst, history.number(row, column) / quantity.scale);
+  }
+  findings.expect(
+      "history.csv: balances of a thrown body by the integrator `exact`, largest error", worst, 0.0,
+      Tolerance::round_off(1e-14,
+                           "a hundred segments, each rounded by 1.1e-16 of the scale; moments are parabolas "
+                           "in time, for which the rule of eight points is exact"));
+}
+
 void check_extremes(const Node& summary, Findings& findings) {
   std::vector<std::vector<double>> exact;
   for (int n = 0; n <= steps; ++n)
@@ -411,6 +436,93 @@ double different_warnings(const TemporaryFolder& folder) {
   return whole.at("warnings").size() == 3 && summary("warned_halves") == whole ? 0.0 : 1.0;
 }
 
+/// Number of files of a fence's run that differ from those of an interrupted one, or that only one of both has. Its
+/// cables yield before the interruption, which is between two rows, states and lines of the listing.
+double different_fence_files(const TemporaryFolder& folder) {
+  std::string deck = records::read_whole(TALUS_CASES "/fence/sample2.DAT");
+  const std::string limits = "1e8 1e8";
+  deck.replace(deck.find(limits), limits.size(), "20000. 1e8");
+  folder.write("fence.DAT", deck);
+  (void)talus_output(folder, {"run", "fence.DAT", "--end", "12 ms", "--out", "fence"});
+  (void)talus_output(folder, {"run", "fence.DAT", "--end", "12 ms", "--out", "fence_halves", "--until", "6.05 ms"});
+  (void)talus_output(folder, {"run", "--resume", "fence_halves"});
+  const auto files_of = [&](const char* out) {
+    std::set<std::string> files;
+    const std::filesystem::path whole = folder.path() / out;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator{whole})
+      if (entry.is_regular_file()) files.insert(entry.path().lexically_relative(whole).string());
+    return files;
+  };
+  const std::set<std::string> files = files_of("fence");
+  if (files_of("fence_halves") != files || files.size() < 8) return 1.0;
+  return static_cast<double>(std::ranges::count_if(files, [&](const std::string& file) {
+    return folder.read("fence/" + file) != folder.read("fence_halves/" + file);
+  }));
+}
+
+/// A body on a dashpot and a drawn rope, and a disc that a dashpot holds back from the ground: the energy that is stored
+/// at the start becomes heat, so that of all energies this one changes most.
+const std::string drawn = R"(
+[[body]]
+name = "hung"
+mobility = "sliding_y"
+mass = "1 kg"
+position = ["0 m", "-1.5 m"]
+[[cable]]
+name = "rope"
+law = "tension_only"
+from = { body = "hung", point = ["0 m", "0 m"] }
+to = { point = ["0 m", "0 m"] }
+stiffness = "100 N/m"
+damping = "60 N s/m"
+rest_length = "1 m"
+)";
+const std::string pushed = R"(
+[[body]]
+name = "ground"
+mobility = "fixed"
+position = ["0 m", "0 m"]
+shape = { kind = "half_plane" }
+[[body]]
+name = "disc"
+mobility = "particle"
+mass = "1 kg"
+position = ["0 m", "0.45 m"]
+shape = { kind = "circle", radius = "0.5 m" }
+[[contact]]
+name = "bed"
+between = ["disc", "ground"]
+law = "linear_spring_dashpot"
+stiffness = "100 N/m"
+damping = "60 N s/m"
+)";
+
+/// Energy scales of these bodies over the largest change of an energy in their rows, of which there is one for each
+/// step: largest deviation from 1; 1 if that energy is not the stored one.
+double scale_error(const TemporaryFolder& folder) {
+  double worst = 0.0;
+  for (const auto& [body, stored] : {std::pair{&drawn, "energy.cables"}, std::pair{&pushed, "energy.contacts"}}) {
+    folder.write("damped.toml", "units = \"SI\"\n" + *body +
+                                    "[run]\nintegrator = \"velocity_verlet\"\nstep = \"1 ms\"\nend = \"1 s\"\n"
+                                    "interval = \"1 ms\"\n");
+    (void)talus_output(folder, {"run", "damped.toml", "--out", "damped"});
+    const Csv rows = records::read_csv(folder.path() / "damped/history.csv");
+    double largest = 0.0, of_stored = 0.0;
+    for (std::size_t i = 0; i < rows.header().size(); ++i) {
+      if (!rows.header()[i].starts_with("energy.")) continue;
+      double change = 0.0;
+      for (std::size_t row = 0; row < rows.rows(); ++row)
+        change = std::max(change, std::abs(rows.number(row, i) - rows.number(0, i)));
+      largest = std::max(largest, change);
+      if (rows.header()[i].starts_with(stored)) of_stored = change;
+    }
+    const Json summary = records::read_json(folder.path() / "damped/summary.json");
+    keep_worst(worst,
+               of_stored == largest ? summary.at("ledger").at("energy_scale").get<double>() / largest - 1.0 : 1.0);
+  }
+  return worst;
+}
+
 void check_resumed(const TemporaryFolder& folder, Findings& findings, const Setup& setup) {
   const std::vector<std::string> files{"history.csv", "final_state.json", "scene.pvd"};
   // The interruption is between two rows and between two states of the geometry.
@@ -430,6 +542,7 @@ void check_resumed(const TemporaryFolder& folder, Findings& findings, const Setu
   };
   different += extremes("out") != extremes("halves");
   different += different_warnings(folder);
+  different += different_fence_files(folder);
   // An interval that the scene leaves out follows from the end of the run, not from that of the scene.
   std::string plain = folder.read("scene.toml");
   const std::size_t at = plain.find("interval = ");
@@ -449,7 +562,7 @@ void check_resumed(const TemporaryFolder& folder, Findings& findings, const Setu
   findings.expect("files that differ after an interruption", different, 0.0,
                   Tolerance::exact("history, final state and index of the geometry are byte-identical, and the summary "
                                    "has the same extremes; of a second run, with three warnings, the whole summary is "
-                                   "the same"));
+                                   "the same; of a fence, whose cables yield before, each file"));
 }
 
 void run(Findings& findings, const Setup& setup) {
@@ -463,6 +576,7 @@ void run(Findings& findings, const Setup& setup) {
   findings.count(summary.at("evaluations").count());
   const Csv history = records::read_csv(folder.path() / "out/history.csv");
   check_history(history, findings);
+  check_exact(folder, findings);
   check_extremes(summary, findings);
   check_summary(summary, findings);
   check_final_state(Node{state_json, "final_state.json"}, findings);
@@ -470,6 +584,8 @@ void run(Findings& findings, const Setup& setup) {
   findings.expect_true("summary on standard output (--json)", Json::parse(printed) == summary_json,
                        "the same document as in summary.json");
   check_resumed(folder, findings, setup);
+  findings.expect("summary.json: energy scale of damped bodies over the largest change of an energy, deviation from 1",
+                  scale_error(folder), 0.0, Tolerance::round_off(1e-15, "one difference of the numbers in 17 digits"));
   if (setup.coarse) return;
   std::vector<double> times, forces;
   for (std::size_t row = 0; row < history.rows(); ++row)
