@@ -293,6 +293,37 @@ void check_alone(const TemporaryFolder& folder, const std::string& deck, Finding
                           "the first rock; a rock that has not touched the fence has no time or speed of an exit");
 }
 
+/// Histories by codes of both rocks' outlines, and of the forces of the segments that begin at the first columns.
+void check_codes(const TemporaryFolder& folder, const std::string& deck, Findings& findings) {
+  std::string text = scene_text(deck);
+  replace(text, "[51, 55, 56, 57, 58, 59, 35, 36]", "[9, 10, 46, 48, 49, 50, 52, 54]");
+  folder.write("codes.toml", text);
+  (void)talus_output(folder, {"run", "codes.toml", "--out", "codes", "--integrator", integrator, "--end", "15 ms"});
+  const Csv codes = records::read_csv(folder.path() / "codes/codes.history.csv");
+  Worst outlines, forces;
+  for (const auto& [element, radius] : {std::pair{"element2", 1.201}, std::pair{"element3", 1.1}})
+    for (const char* const of : {"half_length_x", "half_length_y"})
+      outlines.compare(column(codes, fmt::format("{}.{}", element, of)).back(), radius, radius);
+  findings.expect("history by codes: half-widths of both rocks, largest error", outlines.error(), 0.0, of_units());
+  // Columns are 2.5 ft apart along the fence; bottom cables are slack.
+  for (const int element : {4, 5, 6}) {
+    const auto code = [&](const char* of) { return column(codes, fmt::format("element{}.{}", element, of)); };
+    const std::vector<double> length = code("top_length"), tension = code("top_tension"), x = code("top_tension_x"),
+                              y = code("top_tension_y"), bottom = code("bottom_tension"),
+                              bottom_y = code("bottom_tension_y");
+    for (std::size_t row = 0; row < length.size(); ++row) {
+      const double across = std::sqrt(1.0 - std::pow(2.5 / length[row], 2));
+      forces.compare(std::hypot(x[row], y[row]), tension[row] * across, 1e4);
+      if (bottom[row] == 0.0) forces.compare(bottom_y[row], 0.0, 1e4);
+    }
+    forces.compare(bottom.front(), 0.0, 1e4);
+  }
+  findings.expect("history by codes: components of cable forces across the fence, largest error", forces.error(), 0.0,
+                  Tolerance::round_off(1e-12,
+                                       "of a length of 2.5 ft and one across of 0.1 ft: the difference of their "
+                                       "squares loses three digits"));
+}
+
 /// Data of the animation page: outlines of bodies relative to their positions, ends of cables, in six digits.
 void check_player(const TemporaryFolder& folder, Findings& findings, const Setup& setup) {
   (void)talus_output(folder, {"animate", "out"});
@@ -354,6 +385,7 @@ void run(Findings& findings, const Setup& setup) {
   const std::string printed = talus_output(folder, arguments);
   if (setup.needs("animation")) check_player(folder, findings, setup);
   if (setup.needs("alone")) check_alone(folder, deck, findings, setup);
+  if (setup.needs("history by codes")) check_codes(folder, deck, findings);
   if (!sheet_is_needed) return;
   const Json sheet_json = records::read_json(folder.path() / "out/sheet.json"),
              summary_json = records::read_json(folder.path() / "out/summary.json");
