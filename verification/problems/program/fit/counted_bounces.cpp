@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
 #include <vector>
 
+#include "verification/problems/program/pictures/picture_script.hpp"
 #include "verification/record/csv.hpp"
 #include "verification/record/json_node.hpp"
 #include "verification/reference/impacts/damped_bounce.hpp"
@@ -212,6 +214,27 @@ range = ["20 N s/m", "80 N s/m"]
 samples = 0
 )");
   const Json fit = program.json({"fit", "counted.fit.toml"}, {{"--json", {}}});
+  // Measured and fitted values of each quantity as drawn, in six digits, over the first column.
+  talus_output(program.folder(), {"fit", "counted.fit.toml", "--out", "drawn"}, picture_options::recorded_pictures());
+  const records::Csv rows = program.csv("drawn/fit.csv");
+  for (const std::size_t quantity : {1, 2, 3}) {
+    const auto picture =
+        picture_options::read_picture(program.read(fmt::format("drawn/plots/quantity_{}.svg", quantity)));
+    const std::vector<picture_options::Curve>& curves = picture.panels.at(0).curves;
+    differ.compare("curves of a quantity", curves.size(), std::size_t{2});
+    for (std::size_t curve = 0; curve < curves.size(); ++curve) {
+      std::vector<picture_options::Point> points;
+      for (const auto& line : curves[curve].lines)
+        points.insert(points.end(), line.begin(), line.end());
+      differ.compare("points of a quantity", points.size(), rows.rows());
+      for (std::size_t row = 0; row < std::min(points.size(), rows.rows()); ++row) {
+        const double value = rows.number(row, 1 + 3 * (quantity - 1) + curve);
+        differ.holds(fmt::format("drawn values of quantity {}", quantity),
+                     std::abs(points[row][0] / rows.number(row, 0) - 1.0) < 1e-5 &&
+                         std::abs(points[row][1] / value - 1.0) < 1e-5);
+      }
+    }
+  }
   double worst = 0.0;
   const auto value = [&](std::size_t i) { return fit.at("parameters").at(i).at("value").get<double>(); };
   keep_worst(worst, value(0) / (1e-3 * stiffness) - 1.0);

@@ -121,9 +121,9 @@ double sample_distance() {
 }
 
 /// Largest error of a straight line y = a x + b whose a, or b, is at the lower or upper bound: the other one is then
-/// that of a fit of one parameter. At least 1 if the fit does not say which one is at its bound, or that it has
-/// converged.
-double bound_error() {
+/// that of a fit of one parameter; and of its standard errors, which are those of both. The first is at least 1 if the
+/// fit does not say which one is at its bound, or that it has converged.
+std::array<double, 2> bound_errors() {
   constexpr std::array x{0.5, 1.0, 2.0, 3.5, 4.0, 6.0}, y{1.1, 1.9, 4.2, 7.4, 7.7, 12.3};  // nearly 2 x
   const FitModel model = [&](const std::vector<double>& p, const std::vector<std::size_t>& of) {
     std::vector<double> found;
@@ -135,13 +135,20 @@ double bound_error() {
   for (std::size_t i = 0; i < x.size(); ++i)
     sum_x += x[i], sum_y += y[i], sum_xx += x[i] * x[i], sum_xy += x[i] * y[i];
   constexpr auto rows = static_cast<double>(x.size());
-  double worst = 0.0;
+  double worst = 0.0, errors = 0.0;
   const auto compare = [&](const FitParameter& slope, const FitParameter& shift, double a, double b,
                            std::size_t bound) {
     const Fit found = fit({slope, shift}, model, {.rows = x.size(), .samples = 0}, false);
     keep_worst(worst, found.values[0] - a);
     keep_worst(worst, found.values[1] - b);
     if (!found.converged || !found.at_bound[bound] || found.at_bound[1 - bound]) worst = std::max(1.0, std::abs(worst));
+    // The inverse of the normal equations, whose scatter is that about the bounded line.
+    double squares = 0.0;
+    for (std::size_t i = 0; i < x.size(); ++i)
+      squares += std::pow(a * x[i] + b - y[i], 2);
+    const double variance = squares / (rows - 2.0) / (rows * sum_xx - sum_x * sum_x);
+    keep_worst(errors, found.errors[0] - std::sqrt(rows * variance));
+    keep_worst(errors, found.errors[1] - std::sqrt(sum_xx * variance));
   };
   const FitParameter any_slope{-10.0, 10.0, 1.0, false}, any_shift{-10.0, 10.0, 1.0, false};
   for (const double a : {2.5, 1.5}) {
@@ -152,7 +159,7 @@ double bound_error() {
     const FitParameter shift = b > 0.0 ? FitParameter{b, 10.0, 5.0, false} : FitParameter{-10.0, b, -5.0, false};
     compare(any_slope, shift, (sum_xy - b * sum_x) / sum_xx, b, 1);
   }
-  return worst;
+  return {worst, errors};
 }
 
 /// Error of the deeper of two minima, from a start beside the other one; and of a narrow minimum, from a start within
@@ -230,8 +237,14 @@ void check_search(Findings& findings) {
                   Tolerance::round_off(1e-12,
                                        "over the range of the parameter; each sample is one of 256 sums, and "
                                        "Gauss and Newton solve a linear problem in one step"));
-  findings.expect("search: parameters of which one is at its bound, largest error", bound_error(), 0.0,
+  const auto [values, errors] = bound_errors();
+  findings.expect("search: parameters of which one is at its bound, largest error", values, 0.0,
                   Tolerance::round_off(1e-12, "of slopes and shifts of some units; a linear problem"));
+  findings.expect(
+      "search: standard errors of parameters of which one is at its bound, largest error", errors, 0.0,
+      Tolerance::round_off(2e-11,
+                           "slopes are differences over at least 1e-4 of a range of 20, of deviations of up "
+                           "to 60, rounded by 7e-15: 4e-12 of them, and of standard errors of up to 0.5"));
   findings.expect("search: the deeper of two minima, and a narrow one around the start, largest error", minimum_error(),
                   0.0,
                   Tolerance::round_off(1e-12,

@@ -239,6 +239,15 @@ void check_friction(const Program& program, Findings& findings, Differences& dif
   for (const Json& end : found(fit, 0).at("interval"))
     differ.holds("rows and divisors of samples",
                  std::abs(end.get<double>() / found(fit, 0).at("value").get<double>() - 1.0) < 2e-3);
+  // The search on a logarithmic scale starts at the geometric mean of its ends, here a restitution of 1, the largest
+  // that a scene may have.
+  std::string of_restitution = program.read("friction.toml");
+  of_restitution.replace(of_restitution.find("[[parameter]]"), std::string::npos,
+                         parameter("contact.hit.restitution", "[0.01, 100.0]", "spacing = \"logarithmic\"\n") +
+                             "[bootstrap]\nsamples = 0\n");
+  program.write("restitution.toml", of_restitution);
+  differ.compare("start at the geometric mean", program.end({"fit", "restitution.toml"}).messages.find("found 50"),
+                 std::string::npos);
   // The divisor in another unit than the result.
   data = "vx [m/s],vx [mm/s],vy [m/s],ratio\n";
   for (const auto& [vx, vy] : {std::pair{3.0, -1.0}, std::pair{4.0, -1.5}, std::pair{2.0, -1.0}, std::pair{5.0, -1.0}})
@@ -290,6 +299,16 @@ void check_warnings(const Program& program, Differences& differ) {
           both.messages.find(
               "contact.hit.damping and contact.hit.stiffness cannot be distinguished by these data: correlation") !=
               std::string::npos);
+  // It depends on the product of stiffness and mass, too: one grows as the other falls.
+  std::string lighter = ball("", false);
+  program.write("ball.toml", lighter.replace(lighter.find("\"10 N s/m\""), 10, "\"40 N s/m\""));
+  program.write("product.toml", std::string{heading} + of_speed +
+                                    parameter("contact.hit.stiffness", "[\"5 kN/m\", \"100 kN/m\"]") +
+                                    parameter("body.ball.mass", "[\"1 kg\", \"8 kg\"]") + "[bootstrap]\nsamples = 0\n");
+  const std::string product = message("product.toml").messages;
+  differ.contains("parameters of a product", product,
+                  "contact.hit.stiffness and body.ball.mass cannot be distinguished by these data: correlation -1.0");
+  program.write("ball.toml", ball("", false));
   program.write("alone.toml", std::string{heading} + of_speed + of_damping + "[bootstrap]\nsamples = 0\n");
   const ProgramEnd alone = message("alone.toml");
   const double value = number_after(squeezed(alone.output), "contact.hit.damping [N s/m]");
