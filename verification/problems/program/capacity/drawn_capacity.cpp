@@ -139,6 +139,24 @@ void check_units(const Program& program, const ResultUnits& units, Differences& 
                     range("kinetic_energy", units.drawn_energy), digits(anchor.get<double>(), units.drawn_force),
                     digits(median(line, "not_stopped", "fence.exit_energy"), units.drawn_energy)));
   }
+  // Forces of each node in the table have the unit of its system, and those of the boundary the values of the JSON file.
+  for (const char* const of : {"anchor", "cable", "hanger"}) {
+    const std::string output = fmt::format("fence.{}_force", of);
+    const std::string head = fmt::format("{}.median [{}]", output, units.force.name);
+    differ.compare(fmt::format("column of the {} force", of), std::ranges::count(nodes.header(), head), 1L);
+    if (std::ranges::count(nodes.header(), head) != 1) continue;
+    for (const Json& line : map.at("boundary")) {
+      const double mass = line.at("mass").get<double>() / units.mass.size,
+                   low = line.at("speed").at(0).get<double>() / units.speed.size;
+      for (std::size_t row = 0; row < nodes.rows(); ++row) {
+        if (std::abs(nodes.number(row, fmt::format("mass [{}]", units.mass.name)) / mass - 1.0) < 1e-9 &&
+            std::abs(nodes.number(row, fmt::format("speed [{}]", units.speed.name)) / low - 1.0) < 1e-9)
+          differ.holds(fmt::format("{} force of a node", of),
+                       std::abs(units.force.size * nodes.number(row, head) / median(line, "stopped", output.c_str()) -
+                                1.0) < 1e-12);
+      }
+    }
+  }
   differ.contains("printed height", text,
                   fmt::format("height {:.4g} {}: ", -ground_top / units.length.size, units.length.name));
   differ.contains(

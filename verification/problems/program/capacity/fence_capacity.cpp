@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <map>
 #include <numbers>
+#include <set>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -368,6 +369,7 @@ void check_positions(const Program& program, Differences& differ) {
   const records::Csv placed = program.csv("positions/results.csv"), maps = program.csv("positions/capacity.csv");
   double shift = 0.0, farthest = 0.0, mean_spin = 0.0, widest = 0.0, products = 0.0;
   std::size_t expected = 0;
+  std::set<double> places;
   for (std::size_t row = 0; row < placed.rows(); ++row) {
     const auto number = [&](const std::string& head) { return placed.number(row, head); };
     const double along = number("fence.rock[0].along [m]"), turning = number("fence.rock[0].spin [rad/s]");
@@ -380,6 +382,8 @@ void check_positions(const Program& program, Differences& differ) {
     const double change = std::min(std::abs(along + 0.25), std::abs(along - 0.125));
     shift = std::max(shift, change), farthest = std::max(farthest, std::abs(along));
     differ.holds("spin of a map", turning == -1.0 || turning == 3.0);
+    // Uniform random numbers: rocks of other spins have other ones.
+    differ.holds("a position of one run alone", places.insert(along).second);
   }
   differ.compare("expected rocks", expected, std::size_t{200});
   differ.holds("mean spin of the expected rocks", std::abs(mean_spin / 200.0 - 6.0) < 4.0 * 0.5774 / std::sqrt(200.0));
