@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <thread>
 
 #include "verification/study/program/program_run.hpp"
 
@@ -53,7 +55,9 @@ void check_engines(const Program& program, const std::string& sweep, Differences
                parallel.starts_with("\n--sshloginfile\nh.txt\n--bar\n-I\nTALUS_PART_NUMBER\n/bin/sh\n"));
   differ.holds("parallel parts", parallel.ends_with("\nTALUS_PART_NUMBER\n:::\n1\n2\n"));
   const std::string here = submit("parallel", "here", {{"--parts", {"40"}}});
-  differ.holds("parallel without hosts", here.starts_with("\n--jobs\n"));
+  // By default as many processes at a time as the machine has threads.
+  differ.holds("parallel without hosts",
+               here.starts_with(fmt::format("\n--jobs\n{}\n", std::max(1U, std::thread::hardware_concurrency()))));
   differ.holds("not more parts than runs", here.ends_with("\n15\n16\n"));
 }
 

@@ -157,6 +157,15 @@ void check_ends(const Program& program, Differences& differ) {
         "outputs = [\"cell.depth\", \"cell.stress_ratio_top\"]\n" + axis("cell.seed", "1"));
   const records::Csv without = program.csv("cell_apart/results.csv");
   differ.holds("cells: depth of discs apart", std::abs(without.number(0, "cell.depth [m]") - 5e-3) < 1e-7);
+  // As many runs as whole numbers in a range: a Latin hypercube has each of them once.
+  program.write("seeds.toml",
+                "base = \"cell_apart_base.toml\"\noutputs = [\"cell.depth\"]\n[design]\n"
+                "kind = \"latin_hypercube\"\nruns = 5\n[[axis]]\nfield = \"cell.seed\"\nrange = [3, 7]\n");
+  program.run({"sweep", "plan", "seeds.toml"});
+  const std::string planned = program.read("seeds/manifest.jsonl");
+  for (int seed = 3; seed <= 7; ++seed)
+    differ.contains(fmt::format("cells: whole number {} of a range", seed), planned,
+                    fmt::format("\"cell.seed\":{}}}", seed));
   differ.compare("cells: a mean that does not exist",
                  fmt::format("{}, {}{}", without.cell(0, "end"), without.cell(0, "reason"),
                              without.cell(0, "cell.stress_ratio_top")),
