@@ -481,6 +481,8 @@ void run(Findings& findings, const Setup& setup) {
   check_outlines(findings);
   check_reach(findings);
   check_warnings(findings);
+  check_positions(findings);
+  check_duration(findings);
   check_counts(findings);
   check_ends(findings);
 }

@@ -17,6 +17,8 @@ void check_outlines(Findings& findings);
 void check_reach(Findings& findings);
 // fence_warnings.cpp
 void check_warnings(Findings& findings);
+void check_positions(Findings& findings);
+void check_duration(Findings& findings);
 void check_counts(Findings& findings);
 void check_ends(Findings& findings);
 

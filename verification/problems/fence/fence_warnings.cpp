@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <iterator>
 
@@ -83,10 +85,77 @@ void check_warnings(Findings& findings) {
                         "a count of ten limits; tested a ten-thousandth to either side");
 }
 
+namespace {
+
+/// The fence of Table 2 as a scene.
+std::string published_scene() {
+  std::ifstream file{TALUS_CASES "/fence/table_2.toml"};
+  return {std::istreambuf_iterator<char>{file}, {}};
+}
+
+}  // namespace
+
+/// Checks which positions of rocks are refused: beside the columns, and behind the exit, where the run ends.
+void check_positions(Findings& findings) {
+  const std::string sound = published_scene();
+  const std::size_t first = sound.find("[[fence.rock]]"), next = sound.find("[fence.column]");
+  const std::string rock = sound.substr(first, next - first);
+  const auto is_refused = [&](const std::string& rocks, const std::string& options, const std::string& message) {
+    try {
+      static_cast<void>(read_scene_file(
+          sound.substr(0, first) + rocks + sound.substr(next) + "\n[fence.options]\n" + options, "table_2.toml"));
+    } catch (const InputError& error) {
+      return std::string_view{error.what()}.find(message) != std::string_view::npos;
+    }
+    return false;
+  };
+  double wrong = 0.0;
+  // 13 columns 2.5 ft apart: half a distance beyond the outermost ones.
+  for (const double sign : {1.0, -1.0}) {
+    for (const auto& [ratio, refused] : {std::pair{0.9999, false}, {1.0001, true}}) {
+      const std::string along = fmt::format("along = \"{} ft\"\n", sign * ratio * 6.5 * 2.5);
+      wrong += is_refused(rock + along, "symmetry = \"full\"\n",
+                          "it must be in front of the columns, within 16.25 ft") == refused
+                   ? 0.0
+                   : 1.0;
+    }
+  }
+  // Of two rocks each in turn starts behind the exit.
+  const auto at = [&](double x) {
+    std::string moved = rock;
+    const std::size_t from = moved.find("position = "), to = moved.find('\n', from);
+    return moved.replace(from, to - from, fmt::format("position = [\"{} ft\", \"0 ft\"]", x));
+  };
+  const std::string ends = "end = \"exit\"\nexit_x = \"2.5 ft\"\n", behind = "the rock starts behind exit_x, 2.5 ft";
+  for (const auto& [one, other] : {std::pair{2.501, 9.0}, {2.499, 9.0}, {9.0, 2.501}, {9.0, 2.499}})
+    wrong += is_refused(at(one) + at(other), ends, behind) == (std::min(one, other) < 2.5) ? 0.0 : 1.0;
+  findings.expect_exact("number of positions of rocks that are wrongly accepted or refused", wrong, 0.0,
+                        "a count of 8");
+}
+
+/// Checks the number of steps that a duration takes, and how often a state and a row are written.
+void check_duration(Findings& findings) {
+  std::string text = published_scene();
+  const auto remove = [&](const std::string& key) {
+    const std::size_t from = text.find("\n" + key + " = ") + 1;
+    text.erase(from, text.find('\n', from) + 1 - from);
+  };
+  for (const char* const key : {"steps", "print_every", "history_every"})
+    remove(key);
+  const SceneFile read =
+      read_scene_file(text.insert(text.find("[fence]\n") + 8, "duration = \"0.0200001 s\"\n"), "table_2.toml");
+  const scenes::Fence& fence = read.fence->fence;
+  const double steps = 0.0200001 / read.scene.plan.step;
+  findings.expect_exact("number of steps of a fence with a duration", static_cast<double>(fence.steps),
+                        std::ceil(steps), "the run lasts at least as long");
+  findings.expect_true("number of steps between states and between rows of a fence with a duration",
+                       fence.print_every == fence.steps / 100 && fence.history_every == fence.steps / 1000,
+                       "a hundred states and a thousand rows");
+}
+
 /// Checks which integers of a fence file are refused by name: at both ends of their ranges and one beyond each.
 void check_counts(Findings& findings) {
-  std::ifstream file{TALUS_CASES "/fence/table_2.toml"};
-  const std::string sound{std::istreambuf_iterator<char>{file}, {}};
+  const std::string sound = published_scene();
   const auto refusal = [&](const std::string& field, long value) -> std::string {
     const std::size_t from = sound.find("\n" + field + " = "), to = sound.find('\n', from + 1);
     const std::string text = sound.substr(0, from) + fmt::format("\n{} = {}", field, value) + sound.substr(to);
