@@ -345,6 +345,23 @@ void check_summary(Findings& findings, const Setup& setup) {
                   norm(of_column + Vec2{0.0, on_column * end} - hanger) / norm(hanger), 0.0, sums(reason));
 }
 
+/// Checks a rock that flies over both layers of a fence: it has passed when it is beyond the second one.
+void check_second_layer(Findings& findings) {
+  constexpr double step = 5e-5, end = 0.04, speed = 150.0, start = 3.0, spacing = 2.6;
+  scenes::Fence fence = two_sided_fence();
+  fence.layers = 2, fence.layer_spacing = spacing, fence.connections = 1;
+  fence.rocks[0].position = {start, 12.0}, fence.rocks[0].velocity = {-speed, 0.0};
+  const scenes::FenceScene made = scenes::fence_scene(fence);
+  const Dynamics dynamics{made.scene.model};
+  WatchedSummary watch{fence, made, dynamics, end};
+  (void)run_scene(made.scene, VelocityVerlet{}, {step, end, end, true}, findings, std::ref(watch));
+  const scenes::RockPassage& rock = watch.summary().rocks[0];
+  findings.expect_true("passage over both layers of the second rock's fence",
+                       rock.verdict == scenes::Verdict::passed_over, "it flies 8 ft above the columns");
+  findings.expect_truncation("time of the passage over the second layer, second rock's fence", rock.passed_time,
+                             (start + spacing) / speed, step, 1.0, "recorded at the first step after the passage", "s");
+}
+
 /// Checks verdicts for a rock that hits the lower end of a column and passes below it, with hangers that hold, that
 /// cannot break, and that break. The ground slopes, and the outermost columns have other joints.
 void check_verdicts(Findings& findings, const Setup& setup) {
@@ -414,6 +431,7 @@ void run(Findings& findings, const Setup& setup) {
   if (setup.needs("cables") || setup.needs("next rock")) check_fence_cables(findings, setup);
   if (setup.needs("each rock")) check_two_rocks(findings, setup);
   if (setup.needs("anchors") || setup.needs("second rock")) check_summary(findings, setup);
+  if (setup.needs("layer")) check_second_layer(findings);
   if (setup.needs("rock with hangers")) check_verdicts(findings, setup);
 }
 
