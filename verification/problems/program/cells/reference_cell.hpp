@@ -27,7 +27,7 @@ inline constexpr double loop = steps_in_loop * step, end = steps * step;
 /// The first quarter of a run is excluded from means.
 inline constexpr double start_up = 0.25 * end;
 /// Elapsed time and cycles in RESTART.DAT.
-inline constexpr double elapsed = 0.0123;
+inline constexpr double elapsed = 0.01234;
 inline constexpr long cycles = 41000;
 
 /// Bound of the difference between the program's motion and that of the second program.
