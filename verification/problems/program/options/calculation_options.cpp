@@ -167,6 +167,20 @@ void check_run(const Program& program, Findings& findings, Differences& differ) 
   (void)program.run({"run", "uneven.toml"}, {{"--out", {"uneven"}}});
   differ.compare("run: rows as expected by check", number_after(promised, "expected output of --out: "),
                  static_cast<double>(program.csv("uneven/history.csv").rows()));
+  differ.compare("run: states as expected by check", number_after(promised, " columns, "),
+                 static_cast<double>(geometry_states(program.folder(), "uneven", "uneven").size()));
+  // The rope is taut in all states.
+  differ.contains("run: parts of a step", program.run({"run", "plain.toml"}, {{"--all", {}}, {"--step", {"0.1 ms"}}}),
+                  "cables: 1.0 awake, 1.0 taut");
+  // Another method with step control takes the tolerance of the scene.
+  std::string other = program.read("hung.toml");
+  other.replace(other.find("1e-10"), 5, "1e-4");
+  program.write("kept.toml", other);
+  const Json kept = program.json({"run", "kept.toml"}, {{"--integrator", {"stormer_cowell"}}, {"--json", {}}});
+  other.replace(other.find("odeint_dopri5"), 13, "stormer_cowell");
+  program.write("other.toml", other);
+  differ.compare("run: bodies by another method with the scene's tolerance", kept.at("bodies"),
+                 program.json({"run", "other.toml"}, {{"--json", {}}}).at("bodies"));
   // Steps longer than half the contact: the results are not usable, which the scene may declare no error.
   for (const auto& [name, rule, status] :
        {std::tuple{"poor", "", 7}, std::tuple{"poor_warned", "[run.watch]\nquality = \"warning\"\n", 0}}) {
@@ -381,9 +395,33 @@ void check_worst_named(const Program& program, Differences& differ) {
     differ.contains("the worse of two named first: " + each.warning,
                     run_talus(program.folder(), {"check", "worst.toml"}).messages, "warning: " + each.warning);
   }
+  // Two crossed bars, by nodes: no node of either is in the other. The shortest way apart is half of both lengths.
+  std::string bars;
+  for (const auto& [name, width, height] : {std::tuple{"upright", 0.1, 1.0}, {"level", 0.7, 0.1}})
+    bars += fmt::format(
+        "[[body]]\nname = \"{}\"\nmobility = \"particle\"\nmass = \"2 kg\"\nposition = [\"0 m\", \"0 m\"]\n"
+        "shape = {{ kind = \"rectangle\", half_width = \"{} m\", half_height = \"{} m\" }}\n",
+        name, width, height);
+  program.write("crossed.toml", "units = \"SI\"\n" + bars + touching("upright", "level") +
+                                    "method = \"nodes\"\n[run]\nintegrator = \"rk4\"\nstep = \"1 ms\"\n"
+                                    "end = \"1 ms\"\n");
+  differ.contains("overlap of crossed bars", run_talus(program.folder(), {"check", "crossed.toml"}).messages,
+                  "warning: contact 'upright-level' overlaps by 0.8 m at the start");
 }
 
 void check_other_commands(const Program& program, Differences& differ) {
+  // Outputs of a method that chooses its steps: at least 20 in the shortest contact, and a whole number in each row.
+  constexpr double stiff = 2e8, duration = 0.2;
+  std::string dropped = drop_text();
+  dropped.replace(dropped.find("\"20000 N/m\""), 11, fmt::format("\"{} N/m\"", stiff));
+  dropped.replace(dropped.find("\"velocity_verlet\"\nstep = \"0.1 ms\"\n"), 34, "\"stormer_cowell\"\n");
+  dropped.replace(dropped.find("damping = \"20 N s/m\""), 20, "damping = \"0 N s/m\"");
+  program.write("unstepped.toml", dropped);
+  const double contact = std::numbers::pi * std::sqrt(2.0 / stiff), in_row = std::ceil(duration / contact / 50.0);
+  differ.holds("outputs that resolve the shortest contact",
+               std::abs(program.json({"run", "unstepped.toml"}, {{"--json", {}}}).at("step").get<double>() /
+                            (duration / (1000.0 * in_row)) -
+                        1.0) < 1e-12);
   (void)program.run({"export", "lammps", "cell.toml"}, {{"--dashpot", {}}, {"--steps", {"77"}}, {"--out", {"lammps"}}});
   differ.contains("export: steps", program.read("lammps/in.discs"), "\nrun 77\n");
   for (const std::string kind : {"scene", "fence", "cell"}) {
@@ -426,16 +464,20 @@ void check_other_commands(const Program& program, Differences& differ) {
     differ.contains("200661 pairs without a contact, more than are checked: " + command,
                     run_talus(program.folder(), {command, "discs.toml"}).messages,
                     "more than 200000 pairs of bodies have no contact between them");
-  for (const auto& [inertia, warns] : {std::pair{"0.5", false}, {"0.51", true}}) {
+  // A circle, and a rectangle whose corners are as far from its centre.
+  const std::string round = "kind = \"circle\", radius = \"0.5 m\"",
+                    plate = "kind = \"rectangle\", half_width = \"0.3 m\", half_height = \"0.4 m\"";
+  for (const auto& [inertia, shape, warns] :
+       {std::tuple{"0.5", round, false}, {"0.51", round, true}, {"0.5", plate, false}, {"0.51", plate, true}}) {
     program.write(
         "hoop.toml",
         fmt::format("units = \"SI\"\n[[body]]\nname = \"hoop\"\nmobility = \"free\"\nmass = \"2 kg\"\n"
-                    "inertia = \"{} kg m^2\"\nshape = {{ kind = \"circle\", radius = \"0.5 m\" }}\n"
+                    "inertia = \"{} kg m^2\"\nshape = {{ {} }}\n"
                     "position = [\"0 m\", \"0 m\"]\n[run]\nintegrator = \"rk4\"\nstep = \"1 ms\"\nend = \"1 ms\"\n",
-                    inertia));
+                    inertia, shape));
     for (const std::string command : {"run", "check"})
       differ.compare(
-          fmt::format("warning about a moment of inertia of {} kg m^2: {}", inertia, command),
+          fmt::format("warning about a moment of inertia of {} kg m^2 of {{ {} }}: {}", inertia, shape, command),
           run_talus(program.folder(), {command, "hoop.toml"}).messages.find("more than m R^2 = 0.5 kg m^2") !=
               std::string::npos,
           warns);
@@ -451,6 +493,20 @@ void check_other_commands(const Program& program, Differences& differ) {
                 "position = [\"0 m\", \"0 m\"]\n[run]\nend = \"1 s\"\ninterval = \"0.5 ms\"\n");
   const Json chosen = Json::parse(talus_output(program.folder(), {"run", "chosen.toml", "--json"}));
   differ.compare("step chosen for a thousandth of the end or the interval", chosen.at("step").get<double>(), 5e-4);
+  // Of two pairs that never touch, the nearer one is named.
+  std::string apart =
+      "units = \"SI\"\n[[body]]\nname = \"ball\"\nmobility = \"particle\"\nmass = \"2 kg\"\n"
+      "position = [\"0 m\", \"0 m\"]\nshape = { kind = \"circle\", radius = \"1 m\" }\n";
+  for (const auto& [name, x] : {std::pair{"far", -3.5}, {"near", 2.75}, {"farther", 7.0}})
+    apart += fmt::format(
+        "[[body]]\nname = \"{0}\"\nmobility = \"fixed\"\nposition = [\"{1} m\", \"0 m\"]\n"
+        "shape = {{ kind = \"circle\", radius = \"1 m\" }}\n[[contact]]\nname = \"to {0}\"\n"
+        "between = [\"ball\", \"{0}\"]\nlaw = \"linear_spring_dashpot\"\nstiffness = \"3 kN/m\"\n"
+        "damping = \"0 N s/m\"\n",
+        name, x);
+  program.write("apart.toml", apart + "[run]\nintegrator = \"rk4\"\nstep = \"1 ms\"\nend = \"10 ms\"\n");
+  differ.contains("closest of contacts that never touch", talus_output(program.folder(), {"run", "apart.toml"}),
+                  "none: nothing touched; closest was to near with a gap of 0.75 m");
   for (const std::string command : {"plot", "snapshot", "animate"}) {
     const ProgramEnd nowhere = run_talus(program.folder(), {command, "nowhere"});
     differ.holds("folder that is missing: " + command,

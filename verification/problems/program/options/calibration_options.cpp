@@ -144,6 +144,21 @@ void check_calibration(const Program& program, Findings& findings, Differences& 
   const double touch = std::sqrt(2.0 * gravity * (drop.position - drop_radius));
   findings.expect_between("talus calibrate --contact: speed of approach less the exact one",
                           scene.at("speed").get<double>() - touch, -gravity * drop_step, 1e-12, "the fall in one step");
+  // The second of two contacts, whose body is heavier than that of the first.
+  std::string two = drop_text();
+  two.insert(two.find("[[contact]]"),
+             "[[body]]\nname = \"marble\"\nmobility = \"particle\"\nmass = \"0.1 kg\"\nposition = [\"5 m\", \"3 m\"]\n"
+             "shape = { kind = \"circle\", radius = \"0.1 m\" }\n[[contact]]\nname = \"first\"\n"
+             "between = [\"marble\", \"ground\"]\nlaw = \"linear_spring_dashpot\"\nstiffness = \"5e3 N/m\"\n"
+             "damping = \"1 N s/m\"\n");
+  program.write("two_drop.toml", two);
+  const Json second = program.json({"calibrate", "two_drop.toml"}, contact_in_json);
+  differ.holds("calibrate: damping of the second contact",
+               std::abs(second.at("damping").get<double>() / scene.at("damping").get<double>() - 1.0) < 1e-5);
+  differ.holds("calibrate: damping ratio of the second contact",
+               std::abs(second.at("damping_ratio").get<double>() /
+                            (second.at("damping").get<double>() / (2.0 * std::sqrt(drop_stiffness * drop_mass))) -
+                        1.0) < 1e-12);
   // JSON is in SI units also of a scene in others. Each search ends within 1e-6 of e, which is 1e-6/(e ln(1/e)) =
   // 3.3e-6 of the damping.
   program.write("us_drop.toml", in_us_units(program.read("drop.toml")));
