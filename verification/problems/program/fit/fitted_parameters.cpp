@@ -132,6 +132,7 @@ void check_bounce(const Program& program, Findings& findings, Differences& diffe
   differ.compare("no warning", exact.at("warnings").size(), std::size_t{0});
   differ.compare("unit of the range", found(exact, 0).at("unit").get<std::string>(), std::string{"kN/m"});
 
+  if (!setup.needs("noisy") && !setup.needs("files")) return;  // a control of the exact heights
   // With noise of the given uncertainty.
   const double noise = 1e-3;
   program.write("data.csv", heights(setup, noise));
