@@ -139,18 +139,19 @@ std::vector<std::string> all_options() {
     for (const std::string& name : matches(help, "\n  (?:-[a-z],)?(--[a-z-]+)"))
       if (name != "--help") options.push_back(fmt::format("option {} {}", command, name));
   };
-  const std::function<void(const std::vector<std::string>&)> add_commands = [&](const std::vector<std::string>& words) {
-    std::vector<std::string> arguments = words;
-    arguments.emplace_back("--help");
-    const std::string help = output_of(arguments);
-    add(words.empty() ? "talus" : fmt::format("{}", fmt::join(words, " ")), help);
-    const std::size_t list = help.find("Subcommands:");
-    if (list == std::string::npos) return;
-    for (const std::string& command : matches(help.substr(list, help.find("\n\n", list) - list), "\n  ([a-z]+) ")) {
-      arguments.back() = command;
-      add_commands(arguments);
-    }
-  };
+  const std::function<void(const std::vector<std::string>&)> add_commands =
+      [&](const std::vector<std::string>& command) {
+        std::vector<std::string> arguments = command;
+        arguments.emplace_back("--help");
+        const std::string help = output_of(arguments);
+        add(command.empty() ? "talus" : fmt::format("{}", fmt::join(command, " ")), help);
+        const std::size_t list = help.find("Subcommands:");
+        if (list == std::string::npos) return;
+        for (const std::string& name : matches(help.substr(list, help.find("\n\n", list) - list), "\n  ([a-z]+) ")) {
+          arguments.back() = name;
+          add_commands(arguments);
+        }
+      };
   add_commands({});
   return options;
 }

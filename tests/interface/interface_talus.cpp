@@ -112,8 +112,8 @@ void keep_original(const fs::path& file, const std::string& text) {
 int main(int argc, char** argv) {
   const std::string program = variable("TALUS_INTERFACE_PROGRAM"), item = variable("TALUS_INTERFACE_ITEM");
   std::vector<std::string> arguments(argv + 1, argv + argc);
-  const std::vector<std::string> words = command_of(program, arguments);
-  const std::string command = words.empty() ? "talus" : fmt::format("{}", fmt::join(words, " "));
+  const std::vector<std::string> parts = command_of(program, arguments);
+  const std::string command = parts.empty() ? "talus" : fmt::format("{}", fmt::join(parts, " "));
   std::set<std::string> items;
   bool reached = false;
 
@@ -131,7 +131,7 @@ int main(int argc, char** argv) {
       continue;
     }
     reached = true;
-    if (name == arguments[i]) i += values_of(program, words, name, arguments, i + 1);
+    if (name == arguments[i]) i += values_of(program, parts, name, arguments, i + 1);
   }
 
   std::vector<std::string> named = passed;
@@ -169,7 +169,7 @@ int main(int argc, char** argv) {
   for (const auto& [file, text] : inputs)
     if (fs::exists(file)) write(file, text);
 
-  const fs::path printed = fmt::format("stdout.{}.json", fmt::join(words, "."));  // "member *.COMMAND.json: ..."
+  const fs::path printed = fmt::format("stdout.{}.json", fmt::join(parts, "."));  // "member *.COMMAND.json: ..."
   if (item.empty()) items.merge(items_of(printed, finished.output));
   const auto other = item == "rewrite" ? rewritten(printed, finished.output) : changed(printed, finished.output, item);
   if (other && finished.output.starts_with("{")) reached = true, finished.output = *other;

@@ -55,8 +55,8 @@ std::array<double, 2> ends_along(const CapacityFile& file, double own) {
       for (const Rock& rock : file.hazard->table)
         all.push_back(rock.along);
   }
-  const auto [least, largest] = std::ranges::minmax(all);
-  return {least - file.changes.along, largest + file.changes.along};
+  const auto [smallest, largest] = std::ranges::minmax(all);
+  return {smallest - file.changes.along, largest + file.changes.along};
 }
 
 }  // namespace

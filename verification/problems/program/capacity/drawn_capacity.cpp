@@ -139,7 +139,8 @@ void check_units(const Program& program, const ResultUnits& units, Differences& 
                     range("kinetic_energy", units.drawn_energy), digits(anchor.get<double>(), units.drawn_force),
                     digits(median(line, "not_stopped", "fence.exit_energy"), units.drawn_energy)));
   }
-  // Forces of each node in the table have the unit of its system, and those of the boundary the values of the JSON file.
+  // Forces of each node in the table have the unit of its system, and those of the boundary the values of the JSON
+  // file.
   for (const char* const of : {"anchor", "cable", "hanger"}) {
     const std::string output = fmt::format("fence.{}_force", of);
     const std::string head = fmt::format("{}.median [{}]", output, units.force.name);

@@ -369,7 +369,7 @@ void check_positions(const Program& program, Differences& differ) {
   const records::Csv placed = program.csv("positions/results.csv"), maps = program.csv("positions/capacity.csv");
   double shift = 0.0, farthest = 0.0, mean_spin = 0.0, widest = 0.0, products = 0.0;
   std::size_t expected = 0;
-  std::set<double> places;
+  std::set<double> positions;
   for (std::size_t row = 0; row < placed.rows(); ++row) {
     const auto number = [&](const std::string& head) { return placed.number(row, head); };
     const double along = number("fence.rock[0].along [m]"), turning = number("fence.rock[0].spin [rad/s]");
@@ -383,7 +383,7 @@ void check_positions(const Program& program, Differences& differ) {
     shift = std::max(shift, change), farthest = std::max(farthest, std::abs(along));
     differ.holds("spin of a map", turning == -1.0 || turning == 3.0);
     // Uniform random numbers: rocks of other spins have other ones.
-    differ.holds("a position of one run alone", places.insert(along).second);
+    differ.holds("a position of one run alone", positions.insert(along).second);
   }
   differ.compare("expected rocks", expected, std::size_t{200});
   differ.holds("mean spin of the expected rocks", std::abs(mean_spin / 200.0 - 6.0) < 4.0 * 0.5774 / std::sqrt(200.0));

@@ -460,8 +460,8 @@ double different_fence_files(const TemporaryFolder& folder) {
   }));
 }
 
-/// A body on a dashpot and a drawn rope, and a disc that a dashpot holds back from the ground: the energy that is stored
-/// at the start becomes heat, so that of all energies this one changes most.
+/// A body on a dashpot and a drawn rope, and a disc that a dashpot holds back from the ground: the energy that is
+/// stored at the start becomes heat, so that of all energies this one changes most.
 const std::string drawn = R"(
 [[body]]
 name = "hung"
