@@ -132,28 +132,31 @@ std::vector<std::string> matches(const std::string& text, const char* pattern) {
   return found;
 }
 
-/// All options of all commands, from their help.
-std::vector<std::string> all_options() {
-  std::vector<std::string> options;
-  const auto add = [&](const std::string& command, const std::string& help) {
-    for (const std::string& name : matches(help, "\n  (?:-[a-z],)?(--[a-z-]+)"))
-      if (name != "--help") options.push_back(fmt::format("option {} {}", command, name));
+/// What the program's help lists.
+struct Help {
+  std::vector<std::string> options;  ///< as the log has them
+  std::string commands{"\n"};        ///< of two names, each with an end of line
+};
+
+Help read_help() {
+  Help found;
+  const std::function<void(const std::vector<std::string>&)> add = [&](const std::vector<std::string>& command) {
+    std::vector<std::string> arguments = command;
+    arguments.emplace_back("--help");
+    const std::string help = output_of(arguments), name = fmt::format("{}", fmt::join(command, " "));
+    if (command.size() == 2) found.commands += name + "\n";
+    for (const std::string& option : matches(help, "\n  (?:-[a-z],)?(--[a-z-]+)"))
+      if (option != "--help")
+        found.options.push_back(fmt::format("option {} {}", command.empty() ? "talus" : name, option));
+    const std::size_t list = help.find("Subcommands:");
+    if (list == std::string::npos) return;
+    for (const std::string& next : matches(help.substr(list, help.find("\n\n", list) - list), "\n  ([a-z]+) ")) {
+      arguments.back() = next;
+      add(arguments);
+    }
   };
-  const std::function<void(const std::vector<std::string>&)> add_commands =
-      [&](const std::vector<std::string>& command) {
-        std::vector<std::string> arguments = command;
-        arguments.emplace_back("--help");
-        const std::string help = output_of(arguments);
-        add(command.empty() ? "talus" : fmt::format("{}", fmt::join(command, " ")), help);
-        const std::size_t list = help.find("Subcommands:");
-        if (list == std::string::npos) return;
-        for (const std::string& name : matches(help.substr(list, help.find("\n\n", list) - list), "\n  ([a-z]+) ")) {
-          arguments.back() = name;
-          add_commands(arguments);
-        }
-      };
-  add_commands({});
-  return options;
+  add({});
+  return found;
 }
 
 /// Where the fields of a section of `talus list fields` are in a file, from the section's title.
@@ -197,6 +200,8 @@ int run(const Options& options) {
     const bool wanted = std::ranges::find(chosen, one.id) != chosen.end();
     if (wanted) cases.push_back(std::move(one));
   }
+  const Help help = read_help();
+  ::setenv("TALUS_INTERFACE_COMMANDS", help.commands.c_str(), 1);
   const fs::path scratch = fs::absolute(options.out).parent_path() / "scratch";
   std::vector<Trial> unchanged(cases.size());
   parallel_for(2 * cases.size(), options.jobs, [&](std::size_t i) {
@@ -207,12 +212,11 @@ int run(const Options& options) {
     if (i % 2 == 0) unchanged[i / 2] = trial;
   });
 
-  const std::vector<std::string> known_options = all_options();
   std::map<std::string, std::vector<std::size_t>> users;  // of an item: the cases, the fastest first
   for (std::size_t i = 0; i < cases.size(); ++i) {
     for (const std::string& name : unchanged[i].seen) {
       // Cases also try options that do not exist.
-      const bool unknown = name.starts_with("option ") && std::ranges::find(known_options, name) == known_options.end();
+      const bool unknown = name.starts_with("option ") && std::ranges::find(help.options, name) == help.options.end();
       if (!unknown) users[name].push_back(i);
     }
   }
@@ -248,7 +252,7 @@ int run(const Options& options) {
     if (progress.due()) progress.show(fmt::format("{} of {} items", count, items.size()));
   });
   if (options.only.empty()) {
-    for (const auto& all : {known_options, all_fields()}) {
+    for (const auto& all : {help.options, all_fields()}) {
       for (const std::string& name : all) {
         if (is_used(name, used)) continue;
         items.push_back(item_of(name));

@@ -1,6 +1,7 @@
 /// interface_talus: takes the place of the program `talus` in the cases, with one item of its interface changed.
 ///
-/// Environment: TALUS_INTERFACE_PROGRAM the real program; TALUS_INTERFACE_LOG a file to which the items of this call
+/// Environment: TALUS_INTERFACE_PROGRAM the real program; TALUS_INTERFACE_COMMANDS the commands of two names, each
+/// between two ends of lines; TALUS_INTERFACE_LOG a file to which the items of this call
 /// and its exit status are appended; TALUS_INTERFACE_ITEM the item to change, "rewrite" for none, with JSON files
 /// written again (if it is not set nothing is changed, and the items of files are recorded).
 /// Besides the items of files (interface_text.hpp) there are "option COMMAND --name" ("option talus --version" without
@@ -40,15 +41,12 @@ std::string help_of(const std::string& program, std::vector<std::string> command
   return reports::run({program, command, {}, {}}).output;
 }
 
-/// The command of the arguments, in words: none, one, or two if the first one's help lists the second.
-std::vector<std::string> command_of(const std::string& program, const std::vector<std::string>& arguments) {
+/// The command of the arguments: none, one name, or two.
+std::vector<std::string> command_of(const std::vector<std::string>& arguments) {
   if (arguments.empty() || arguments.front().starts_with("--")) return {};
   std::vector<std::string> command{arguments.front()};
-  static const std::regex word("[a-z]+");
-  if (arguments.size() < 2 || !std::regex_match(arguments[1], word)) return command;
-  const std::string help = help_of(program, command);
-  const std::size_t list = help.find("Subcommands:");
-  if (list != std::string::npos && help.find("\n  " + arguments[1] + " ", list) != std::string::npos)
+  const std::string known = variable("TALUS_INTERFACE_COMMANDS");
+  if (arguments.size() > 1 && known.find(fmt::format("\n{} {}\n", arguments[0], arguments[1])) != std::string::npos)
     command.push_back(arguments[1]);
   return command;
 }
@@ -112,7 +110,7 @@ void keep_original(const fs::path& file, const std::string& text) {
 int main(int argc, char** argv) {
   const std::string program = variable("TALUS_INTERFACE_PROGRAM"), item = variable("TALUS_INTERFACE_ITEM");
   std::vector<std::string> arguments(argv + 1, argv + argc);
-  const std::vector<std::string> parts = command_of(program, arguments);
+  const std::vector<std::string> parts = command_of(arguments);
   const std::string command = parts.empty() ? "talus" : fmt::format("{}", fmt::join(parts, " "));
   std::set<std::string> items;
   bool reached = false;
