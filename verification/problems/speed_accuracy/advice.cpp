@@ -166,8 +166,8 @@ double error_beside(const Question& question, const RunMethod& advised, Findings
   return worst;
 }
 
-/// Largest error of the runs that the search judges together: the advised one, those of the next, finer rungs, and added
-/// ones, whose steps are shorter by up to a sixth of an octave, at multiples of the golden ratio.
+/// Largest error of the runs that the search judges together: the advised one, those of the next rungs, and added ones,
+/// whose steps are shorter by up to a sixth of an octave, at multiples of the golden ratio.
 double error_of_judged(const Question& question, const RunMethod& advised, const AdviceRules& rules,
                        Findings& findings) {
   double worst = run_with(question, advised, findings).error;
