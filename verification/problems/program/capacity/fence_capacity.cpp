@@ -201,6 +201,24 @@ void check_ends(const Program& program, Differences& differ) {
   }
 }
 
+/// Rocks whose centre is 0.25 m above the column: the lightest, whose radius is 0.238 m, pass over it at any energy.
+void check_factor(const Program& program, Differences& differ) {
+  program.write("fence.toml", fence(guided));
+  program.write("over.toml", question(4, fmt::format("height = \"{} m\"\n", 1.25 - ground_top)));
+  const double slowest = 0.5 * 100.0 * 2.0 * 2.0;
+  const std::string text = program.run({"capacity", "over.toml"}, {{"--no-plots", {}}});
+  const Json map = program.file("over/capacity.json").at("maps").at(0);
+  double stopped = 0.0;
+  for (const Json& line : map.at("boundary"))
+    stopped = std::max(stopped, line.at("kinetic_energy").at(0).get<double>());
+  const double factor = map.at("energy_factor").get<double>();
+  differ.holds("factor between energies of masses", std::abs(factor / (stopped / slowest) - 1.0) < 1e-12);
+  // One cell below the breaking energy of the other masses is at least half of it.
+  differ.holds("size of the factor between energies", factor > 0.5 * breaking_energy(program.setup()) / slowest);
+  differ.contains("printed factor between energies", text,
+                  fmt::format("differs by a factor of {:.3g} between masses\n", factor));
+}
+
 /// The same bytes for any number of threads, and after results were lost.
 void check_bytes(const Program& program, Findings& findings, Differences& differ) {
   program.write("bytes.toml", question(8, ""));
@@ -500,6 +518,7 @@ void run(Findings& findings, const Setup& setup) {
     check_changes(program, differ);
     check_figures(program, differ);
     check_ends(program, differ);
+    check_factor(program, differ);
     check_positions(program, differ);
     check_us_base(program, differ);
     check_refusals(program, differ);
