@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "verification/problems/program/pictures/picture_script.hpp"
@@ -171,11 +173,44 @@ void check_numbers(const Program& program, Findings& findings, Differences& diff
                           20.0, "the run ends after two or three impacts");
 }
 
+/// A maximum that lasts: without gravity and dashpots the ball flies back from the floor with its constant speed, until
+/// it hits a ceiling. Its time is the middle.
+void check_lasting_maximum(const Program& program, Differences& differ) {
+  constexpr double speed = 2.0, height = 0.3, ceiling = 0.6, step = 0.25e-3;
+  std::string text = scene;
+  for (const auto& [from, to] : {std::pair{"\"-9.81 m/s^2\"", "\"0 m/s^2\""}, {"40 N s/m", "0 N s/m"}})
+    for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + 1))
+      text.replace(at, std::string_view{from}.size(), to);
+  const std::string of_ball = "position = [\"0 m\", \"0.3 m\"]\n";
+  text.insert(text.find(of_ball), fmt::format("velocity = [\"0 m/s\", \"{} m/s\"]\n", -speed));
+  text.insert(text.find("[[contact]]"),
+              fmt::format("[[body]]\nname = \"ceiling\"\nmobility = \"fixed\"\nposition = [\"0 m\", \"{} m\"]\n"
+                          "angle = \"180 deg\"\nshape = {{ kind = \"half_plane\" }}\n[[contact]]\nname = \"top\"\n"
+                          "between = [\"ball\", \"ceiling\"]\nlaw = \"linear_spring_dashpot\"\n"
+                          "stiffness = \"20 kN/m\"\ndamping = \"0 N s/m\"\n\n",
+                          ceiling));
+  program.write("lasting.toml", text);
+  program.write("lasts.toml",
+                "base = \"lasting.toml\"\noutputs = [\"ball.vy.peak[0]\", \"ball.vy.peak_time[0]\"]\n"
+                "[[axis]]\nfield = \"body.ball.mass\"\nvalues = [\"2 kg\"]\n");
+  program.run({"sweep", "plan", "lasts.toml"});
+  program.run({"sweep", "run", "lasts"});
+  program.run({"sweep", "collect", "lasts"});
+  const records::Csv csv = program.csv("lasts/results.csv");
+  const double leaves = (height - radius) / speed + std::numbers::pi * std::sqrt(mass / stiffness),
+               hits = leaves + (ceiling - 2.0 * radius) / speed;
+  differ.holds("a maximum that lasts", std::abs(csv.number(0, "ball.vy.peak[0] [m/s]") / speed - 1.0) < 1e-12);
+  // Its first and its last state are up to a step away from these times.
+  differ.holds("time of a maximum that lasts",
+               std::abs(csv.number(0, "ball.vy.peak_time[0] [s]") - 0.5 * (leaves + hits)) < 0.5 * step);
+}
+
 }  // namespace
 
 void check_counted_bounces(const Program& program, Findings& findings, Differences& differ) {
   const Setup& setup = program.setup();
   check_numbers(program, findings, differ);
+  check_lasting_maximum(program, differ);
 
   const double late = setup.has("late_bounces") ? 1e-3 : 0.0;
   std::string data = "drop [mm],first [mm],second [cm],again [ms]\n";
