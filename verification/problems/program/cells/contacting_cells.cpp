@@ -49,7 +49,7 @@ using Pair = std::pair<std::size_t, std::size_t>;
 /// The discs of a state, and the forces of its contacts as drawn, by the numbers of the discs from zero.
 struct Step {
   std::vector<double> points, velocity, spin;
-  std::map<Pair, double> forces;
+  std::map<Pair, double> forces, multiple;
 };
 
 std::vector<Step> run_cell(const TemporaryFolder& folder, const std::string& text) {
@@ -58,14 +58,18 @@ std::vector<Step> run_cell(const TemporaryFolder& folder, const std::string& tex
   (void)talus_output(folder, {"cell", "contacting.toml", "--out", "contacting"});
   std::vector<Step> steps;
   for (const GeometryState& state : geometry_states(folder, "contacting", "cell")) {
-    Step step{data_array(state.text, "Points"), data_array(state.text, "velocity"), data_array(state.text, "spin"), {}};
+    Step step{
+        data_array(state.text, "Points"), data_array(state.text, "velocity"), data_array(state.text, "spin"), {}, {}};
     const std::vector<double> id = data_array(state.text, "id"), force = data_array(state.text, "force"),
+                              multiple = data_array(state.text, "multiple"),
                               ends = data_array(state.text.substr(state.text.find("<Lines>")), "connectivity");
     const auto disc = [&](double point) {
       return static_cast<std::size_t>(std::abs(id.at(static_cast<std::size_t>(point)))) - 1;
     };
-    for (std::size_t line = 0; line < ends.size() / 2; ++line)
-      step.forces[std::minmax(disc(ends[2 * line]), disc(ends[2 * line + 1]))] = force.at(discs_and_walls + line);
+    for (std::size_t line = 0; line < ends.size() / 2; ++line) {
+      const Pair pair = std::minmax(disc(ends[2 * line]), disc(ends[2 * line + 1]));
+      step.forces[pair] = force.at(discs_and_walls + line), step.multiple[pair] = multiple.at(discs_and_walls + line);
+    }
     steps.push_back(std::move(step));
   }
   return steps;
@@ -217,6 +221,29 @@ Errors rough_errors(const std::vector<Step>& steps, const RoughLaw& law) {
   return errors;
 }
 
+/// Contacts that are drawn as multiple, or not, although another contact of one of their free discs acts not, or does.
+/// Wall discs do not count: `decided` is the number of contacts of a wall disc with another one, and of a free disc
+/// without.
+struct Multiples {
+  double wrong{}, decided{};
+};
+Multiples multiples(const std::vector<Step>& steps) {
+  Multiples found;
+  for (const Step& step : steps) {
+    std::array<int, discs_and_walls> acting{};
+    for (const auto& [pair, force] : step.forces)
+      ++acting.at(pair.first), ++acting.at(pair.second);
+    for (const auto& [pair, drawn] : step.multiple) {
+      // The first of a pair is free.
+      const bool first = acting[pair.first] > 1, second = acting[pair.second] > 1,
+                 both_free = pair.second < moving_discs;
+      found.wrong += (drawn != 0.0) == (first || (both_free && second)) ? 0.0 : 1.0;
+      found.decided += second && !first && !both_free ? 1.0 : 0.0;
+    }
+  }
+  return found;
+}
+
 /// A spring and a dashpot that pull until the discs part; velocity Verlet writes both at the time of the state.
 Errors dashpot_errors(const std::vector<Step>& steps) {
   Errors errors;
@@ -240,17 +267,21 @@ void check_contacting_cells(const TemporaryFolder& folder, Findings& findings, c
                                 "times, times up to 3 kN/m, over a largest force of 13 mN");
   };
   Errors latching, spheres, damped;
-  if (setup.needs("latching springs from") || setup.needs("accelerations")) {
+  if (setup.needs("latching springs from") || setup.needs("accelerations") || setup.needs("kinds of contacts drawn")) {
     const double more = setup.has("more_growth") ? 1.001 : 1.0;
-    latching = rough_errors(
-        run_cell(folder,
-                 cell_of(fmt::format("stiffness = \"{} N/m\"\nlaw = \"latching_spring\"\n"
-                                     "unloading_stiffness = \"{} N/m\"\n"
-                                     "growth = \"{} 1/m\"\nfriction = {}\nshear_stiffness = \"{} N/m\"\n",
-                                     loading, unloading, growth * more, setup.has("rougher_discs") ? 0.501 : friction,
-                                     setup.has("stiffer_shear") ? 20.01 : shear_stiffness),
-                         "euler_cromer")),
-        latching_law);
+    const std::vector<Step> steps = run_cell(
+        folder, cell_of(fmt::format("stiffness = \"{} N/m\"\nlaw = \"latching_spring\"\n"
+                                    "unloading_stiffness = \"{} N/m\"\n"
+                                    "growth = \"{} 1/m\"\nfriction = {}\nshear_stiffness = \"{} N/m\"\n",
+                                    loading, unloading, growth * more, setup.has("rougher_discs") ? 0.501 : friction,
+                                    setup.has("stiffer_shear") ? 20.01 : shear_stiffness),
+                        "euler_cromer"));
+    latching = rough_errors(steps, latching_law);
+    const Multiples kinds = multiples(steps);
+    findings.expect("cells whose discs touch: wrong kinds of contacts drawn", kinds.wrong, 0.0,
+                    Tolerance::exact("a contact is multiple if one of its free discs has another one"));
+    findings.expect_between("cells whose discs touch: kinds of contacts drawn that a wall disc would change",
+                            kinds.decided, 1.0, 1000.0, "a wall disc with several free discs that touch nothing else");
     findings.expect("cells whose discs touch: forces of latching springs from positions, largest error",
                     latching.forces, 0.0, digits(4e-13));
     findings.expect("cells whose discs touch: accelerations by normal and friction forces, largest error",
