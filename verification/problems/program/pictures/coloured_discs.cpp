@@ -91,4 +91,19 @@ ColourErrors colour_errors(const Picture& picture, const std::vector<DiscState>&
   return errors;
 }
 
+Bars contact_bars(const Picture& picture) {
+  Bars bars;
+  for (const Panel& panel : picture.panels) {
+    for (const Curve& curve : panel.curves) {
+      for (const std::vector<Point>& corners : curve.lines) {
+        if (corners.size() != 4) continue;
+        const double x = corners.at(0)[0] + corners.at(3)[0] - corners.at(1)[0] - corners.at(2)[0],
+                     y = corners[0][1] + corners[3][1] - corners[1][1] - corners[2][1];
+        bars.longest = std::max(bars.longest, 0.5 * std::hypot(x, y)), ++bars.count;
+      }
+    }
+  }
+  return bars;
+}
+
 }  // namespace talus::verification::problems::picture_options

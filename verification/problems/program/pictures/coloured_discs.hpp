@@ -39,4 +39,11 @@ struct ColourErrors {
 /// where there is none, or in a colour that is not on the bar, gives NaN.
 [[nodiscard]] ColourErrors colour_errors(const Picture& picture, const std::vector<DiscState>& states, double period);
 
+/// Bars of contacts in a picture and their edges: all that has four corners.
+struct Bars {
+  int count{};
+  double longest{};  ///< between the middles of their short sides [L]
+};
+[[nodiscard]] Bars contact_bars(const Picture& picture);
+
 }  // namespace talus::verification::problems::picture_options

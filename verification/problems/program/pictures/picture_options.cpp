@@ -78,7 +78,7 @@ interval = "{} s"
 
 /// A cell of 20 discs between walls of six.
 constexpr int free_discs_of_cell = 20;
-constexpr double cell_width = 6e-3;
+constexpr double cell_width = 6e-3, cell_diameter = 1e-3;
 const std::string cell_text = R"(title = "Sheared discs"
 units = "SI"
 [cell]
@@ -262,6 +262,15 @@ double check_default_histories(const Pictures& program, Differences& differ) {
   double worst = every.panels.size() == 1 ? 0.0 : std::nan("");
   for (int i = 1; i <= discs && every.panels.size() == 1; ++i)
     keep_worst(worst, curve_error(every.panels.front(), static_cast<std::size_t>(i) - 1, "", "y", i, steps));
+
+  // Of two runs the four quantities with the largest range, each of both runs.
+  fs::copy(program.folder().path() / "out", program.folder().path() / "again", fs::copy_options::recursive);
+  (void)program.run({"plot", "out", "again"}, {{"--history", {"y"}}, {"--format", {"svg"}}, {"--out", {"both"}}});
+  Names of_both;
+  for (const std::string run : {"out", "again"})
+    for (std::size_t k = 0; k < 4; ++k)
+      of_both.insert(fmt::format("{}, {}", run, name_of(ranges[k].second)));
+  differ.compare("plot: curves of two runs with the largest range", drawn("both/history_y.svg"), of_both);
 
   (void)program.run({"plot", "out"}, {{"--all", {}}, {"--format", {"svg"}}, {"--out", {"whole"}}});
   const Picture positions = program.picture("whole/positions.svg");
@@ -478,8 +487,16 @@ double check_colours(const Pictures& program, Differences& differ, const Setup& 
   differ.compare("animate: colours of the page",
                  Json::parse(between(page, "id=\"data\">", "</script>")).at("discs").at("colour").get<std::string>(),
                  std::string{"force"});
-  for (const std::string& frame : frames)
-    compare(read_picture(frame), force, forces);
+  int bars = 0;
+  for (const std::string& frame : frames) {
+    const Picture picture = read_picture(frame);
+    compare(picture, force, forces);
+    // A bar joins the centres of two discs that touch, also across the border of the field; six digits.
+    const Bars drawn = contact_bars(picture);
+    differ.holds("animate: lengths of bars of contacts", drawn.longest < cell_diameter * (1.0 + 1e-4));
+    bars += drawn.count;
+  }
+  differ.holds("animate: bars of contacts", bars > 0);
   // At least all free discs of each panel; images at the borders are drawn, too.
   const std::size_t drawn = plain.panels.size() + by_force.panels.size() + frames.size();
   differ.holds("colours: all discs of each picture", coloured >= free_discs_of_cell * static_cast<int>(drawn));
