@@ -52,12 +52,10 @@ MobilityRange mobility_range(const Dynamics& dynamics, BodyId id) {
     const Axis axis = layout.coordinates[i].axis;
     x = x || axis == Axis::x, y = y || axis == Axis::y;
     if (axis != Axis::angle) continue;
-    // A guided body turns about a point that is no farther from its centre of mass than its pin.
-    const double l = body.mobility == Mobility::pinned ? largest_lever(body.shape, body.p_BPin)
-                     : has_pin(body.mobility)          ? largest_lever(body.shape, {}) + norm(body.p_BPin)
-                                                       : largest_lever(body.shape, {});
-    // The inertia of a guided body depends on its angle; the least is that about its centre of mass.
-    found.largest += l * l / (body.mobility == Mobility::pinned ? dynamics.inertias()[i] : body.inertia);
+    // A guided body yields at most as much as a free one: its guide only takes away motions.
+    const bool is_pinned = body.mobility == Mobility::pinned;
+    const double l = largest_lever(body.shape, is_pinned ? body.p_BPin : Vec2{});
+    found.largest += l * l / (is_pinned ? dynamics.inertias()[i] : body.inertia);
   }
   if (x || y) found.largest += 1.0 / body.mass;
   if (x && y) found.smallest = 1.0 / body.mass;

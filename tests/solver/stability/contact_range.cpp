@@ -27,11 +27,11 @@ Model pair_of(Body a, Body b) {
 
 /// Smallest and largest effective mass of the deepest instance over random orientations in which the outlines touch;
 /// `b` is moved towards `a`, whose centre of mass stays where it is.
-std::pair<double, double> measured(Model model, bool turns_b) {
+std::pair<double, double> measured(Model model, bool turns_b, int count = 3000) {
   std::mt19937_64 random{7};
   const auto angle = [&] { return 2.0 * std::acos(-1.0) * (static_cast<double>(random() >> 11) * 0x1p-53); };
   double smallest = std::numeric_limits<double>::infinity(), largest = 0.0;
-  for (int i = 0; i < 3000; ++i) {
+  for (int i = 0; i < count; ++i) {
     const double direction = angle();
     model.bodies[0].angle = angle();
     if (turns_b) model.bodies[1].angle = angle();
@@ -106,6 +106,23 @@ BOOST_AUTO_TEST_CASE(a_pinned_body_has_the_lever_about_its_pin) {
   const ContactRange sliding = contact_ranges(Dynamics{pair_of(slider, post)}).at(0);
   BOOST_TEST(sliding.smallest_mass == 2.0);
   BOOST_TEST(std::isinf(sliding.largest_mass));
+}
+
+// Its guide only takes motions away from a body: it yields at most as much as a free one, and nearly that much where
+// the motion that is taken away is not needed.
+BOOST_AUTO_TEST_CASE(a_guided_body_has_the_bound_of_a_free_one) {
+  const Body ball{.mass = 3.0, .inertia = 0.1, .shape = Circle{0.2}};
+  Body rod{.mass = 2.0, .inertia = 0.17, .shape = Rectangle{0.5, 0.05}, .p_BPin = {0.3, 0.2}};
+  const double free = contact_ranges(Dynamics{pair_of(rod, ball)}).at(0).smallest_mass;
+  for (const Mobility guide : {Mobility::guided_x, Mobility::guided_y}) {
+    rod.mobility = guide;
+    const Model model = pair_of(rod, ball);
+    const ContactRange range = contact_ranges(Dynamics{model}).at(0);
+    BOOST_TEST(range.smallest_mass == free);
+    const double smallest = measured(model, true, 500).first;
+    BOOST_TEST(smallest >= range.smallest_mass * (1.0 - 1e-4));
+    BOOST_TEST(smallest <= range.smallest_mass * 1.1);
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()
