@@ -100,7 +100,7 @@ void add_end_faults(Faults& found, const Fence& fence) {
   for (std::size_t i = 0; i < fence.rocks.size(); ++i) {
     if (fence.rocks[i].position.x > fence.options.exit_x) continue;
     found.push_back({i + 2, "position",
-                     fmt::format("found x = {}: the rock starts behind exit_x, {}, where the run ends",
+                     fmt::format("found x = {}; it must be > exit_x, {}, where the run ends",
                                  amount(fence.rocks[i].position.x, fence, dimension::length),
                                  amount(fence.options.exit_x, fence, dimension::length))});
   }

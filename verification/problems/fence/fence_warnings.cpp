@@ -126,7 +126,7 @@ void check_positions(Findings& findings) {
     const std::size_t from = moved.find("position = "), to = moved.find('\n', from);
     return moved.replace(from, to - from, fmt::format("position = [\"{} ft\", \"0 ft\"]", x));
   };
-  const std::string ends = "end = \"exit\"\nexit_x = \"2.5 ft\"\n", behind = "the rock starts behind exit_x, 2.5 ft";
+  const std::string ends = "end = \"exit\"\nexit_x = \"2.5 ft\"\n", behind = "it must be > exit_x, 2.5 ft";
   for (const auto& [one, other] : {std::pair{2.501, 9.0}, {2.499, 9.0}, {9.0, 2.501}, {9.0, 2.499}})
     wrong += is_refused(at(one) + at(other), ends, behind) == (std::min(one, other) < 2.5) ? 0.0 : 1.0;
   findings.expect_exact("number of positions of rocks that are wrongly accepted or refused", wrong, 0.0,

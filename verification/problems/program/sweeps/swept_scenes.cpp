@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -66,12 +67,36 @@ records::Csv collected(const Program& program, const std::string& name, const st
   return program.csv(name + "/results.csv");
 }
 
+/// Ends of the runs in results.json beside those of the table, and their counts.
+void compare_ends(const Program& program, const std::string& name, const records::Csv& csv, Differences& differ) {
+  const Json json = program.file(name + "/results.json");
+  const Json &runs = json.at("runs"), &counts = json.at("counts");
+  differ.compare("units of results.json", json.at("units").get<std::string>(), std::string{"SI"});
+  differ.compare("rows of results.json", runs.size(), csv.rows());
+  std::map<std::string, std::size_t> ends;
+  for (std::size_t row = 0; row < std::min(runs.size(), csv.rows()); ++row) {
+    const Json& run = runs.at(row);
+    for (const std::string member : {"id", "end", "reason", "verdict"})
+      if (run.contains(member))
+        differ.compare(member + " in results.json", run.at(member).get<std::string>(),
+                       std::string{csv.cell(row, member)});
+    for (const auto& [member, head] :
+         {std::pair{"number", "number"}, {"time", "time [s]"}, {"evaluations", "evaluations"}})
+      differ.compare(fmt::format("{} in results.json", member), run.at(member).get<double>(), csv.number(row, head));
+    ++ends[std::string{csv.cell(row, "end")}];
+  }
+  differ.compare("number of runs in results.json", counts.at("runs").get<std::size_t>(), csv.rows());
+  differ.compare("number of missing runs", counts.at("missing").get<int>(), 0);
+  for (const char* const end : {"finished", "unusable", "diverged", "refused", "limited"})
+    differ.compare(fmt::format("number of {} runs", end), counts.at(end).get<std::size_t>(), ends[end]);
+}
+
 /// The rows beside the closed form, with the columns of the fields in their order.
 void compare_rows(const Program& program, const std::string& name, const records::Csv& csv, Worst& worst,
                   Differences& differ) {
   const Setup& setup = program.setup();
+  compare_ends(program, name, csv, differ);
   const Json json = program.file(name + "/results.json");
-  differ.compare("rows of results.json", json.at("runs").size(), csv.rows());
   std::set<std::string> ids;
   for (std::size_t row = 0; row < csv.rows(); ++row) {
     BallImpact impact;
@@ -137,6 +162,9 @@ void check_grid(const Program& program, Worst& worst, Differences& differ) {
   const Json json = program.json({"sweep", "plan", "grid.toml"}, {{"--out", {"other"}}, {"--json", {}}});
   differ.compare("runs of the plan in JSON", json.at("runs").get<std::size_t>(), std::size_t{16});
   differ.compare("runs left out", json.at("left_out").get<std::size_t>(), std::size_t{29});
+  differ.compare("folder of the plan", json.at("folder").get<std::string>(), std::string{"other"});
+  differ.compare("base of the plan", program.file("other/sweep.json").at("base").get<std::string>(),
+                 std::string{"base.toml"});
   differ.holds("the plan's estimates", json.at("evaluations").get<double>() > 0.0 &&
                                            json.at("processor_time").get<double>() > 0.0 &&
                                            json.at("bytes").get<double>() > 0.0);
@@ -326,6 +354,7 @@ void check_fence(const Program& program, Differences& differ) {
                     axis("fence.rock[0].velocity[0]", "values = [\"-5 m/s\", \"-25 m/s\"]") +
                     axis("fence.columns", "range = [5, 9]\ncount = 3"));
   differ.compare("runs of a fence", csv.rows(), std::size_t{6});
+  compare_ends(program, "speeds", csv, differ);
   const std::string scene = program.read("fence.toml");
   for (std::size_t row = 0; row < csv.rows(); ++row) {
     const std::string speed{csv.cell(row, 2)}, columns{csv.cell(row, 3)};
@@ -414,6 +443,7 @@ void check_failures(const Program& program, Differences& differ) {
                                                               {"refused", "-1 kg"},
                                                               {"refused", "mass"}};
   differ.compare("rows of failures", csv.rows(), ends.size());
+  compare_ends(program, "failing", csv, differ);
   for (std::size_t row = 0; row < std::min(csv.rows(), ends.size()); ++row) {
     differ.compare("end: " + ends[row].first, std::string{csv.cell(row, "end")}, ends[row].first);
     const std::string_view reason = csv.cell(row, "reason");
@@ -422,8 +452,15 @@ void check_failures(const Program& program, Differences& differ) {
     differ.compare("no value of a failed run", csv.cell(row, "ball.vx.end [m/s]").empty(), row > 0);
   }
   const Json status = program.json({"sweep", "status", "failing"}, {{"--json", {}}});
-  for (const auto& [member, count] :
-       {std::pair{"runs", 6}, {"missing", 0}, {"finished", 1}, {"diverged", 1}, {"refused", 3}, {"limited", 1}})
+  for (const auto& [member, count] : {std::pair{"runs", 6},
+                                      {"missing", 0},
+                                      {"finished", 1},
+                                      {"diverged", 1},
+                                      {"refused", 3},
+                                      {"limited", 1},
+                                      {"unusable", 0},
+                                      {"duplicates", 0},
+                                      {"of_others", 0}})
     differ.compare(member, status.at(member).get<int>(), count);
 
   // A run with a step that is too long, of which the watch only warns.
