@@ -39,8 +39,8 @@ int capacity(const CapacityOptions& options, const DrawingSink& sink) {
   folder.base_text = base_text(file.base, name.string() + ": base");
   folder.outputs.assign(capacity_outputs.begin(), capacity_outputs.end());
   const std::string base_name = is_deck(file.base) ? "base.toml" : file.base.string();
-  const RockRuns rocks{folder.base_text, base_name, file};
   SweepBase base{parse_toml(folder.base_text, base_name), base_name};
+  const RockRuns rocks{base.document(), base_name, file};
   base.choose(folder.outputs);
   make_folder(folder.folder);
   const FolderLock lock{folder.folder};

@@ -23,23 +23,28 @@ bool has_field(TomlValue document, std::string_view path) {
   return text == nullptr || !text->empty();
 }
 
-/// The base with the fields that the file sets. Errors: InputError; of these fields with the file's name.
-TomlValue base_document(const std::string& text, const std::string& name, const CapacityFile& file) {
-  TomlValue document = parse_toml(text, name);
-  if (file.fields.empty()) return document;
-  static_cast<void>(read_scene_file(document, name));
+/// The result of `read`, whose errors are those of the fields that the file sets: the base alone is right.
+template <class Read>
+auto of_set(const CapacityFile& file, Read&& read) {
   try {
-    for (const auto& [field, value] : file.fields)
-      set_field(document, field, value);
-    static_cast<void>(read_scene_file(document, name));
+    return read();
   } catch (const InputError& error) {
+    if (file.fields.empty()) throw;
     throw InputError{fmt::format("{}: set: {}", file.file.string(), error.what())};
   }
-  return document;
 }
 
-SceneFile read_base(const TomlValue& document, const std::string& name) {
-  SceneFile scene = read_scene_file(document, name);
+/// The base with the fields that the file sets.
+TomlValue base_document(TomlValue document, const CapacityFile& file) {
+  return of_set(file, [&] {
+    for (const auto& [field, value] : file.fields)
+      set_field(document, field, value);
+    return document;
+  });
+}
+
+SceneFile read_base(const TomlValue& document, const std::string& name, const CapacityFile& file) {
+  SceneFile scene = of_set(file, [&] { return read_scene_file(document, name); });
   if (!scene.fence) throw InputError{fmt::format("{}: it must be a fence, with a table [fence]", name)};
   if (const std::size_t count = scene.fence->fence.rocks.size(); count != 1)
     throw InputError{fmt::format("{}: found {} rocks; it must be one, which is replaced by others", name, count)};
@@ -61,12 +66,12 @@ std::array<double, 2> ends_along(const CapacityFile& file, double own) {
 
 }  // namespace
 
-RockRuns::RockRuns(const std::string& text, const std::string& name, const CapacityFile& file)
-    : RockRuns{base_document(text, name, file), name, file} {}
-
-RockRuns::RockRuns(const TomlValue& document, const std::string& name, const CapacityFile& file)
-    : base_{read_base(document, name)}, fields_{file.fields}, changes_{file.changes} {
-  gives_mass_ = has_field(document, fmt::format("{}mass", rock_path));
+RockRuns::RockRuns(const TomlValue& base, const std::string& name, const CapacityFile& file)
+    : document_{base_document(base, file)},
+      base_{read_base(document_, name, file)},
+      gives_mass_{has_field(document_, fmt::format("{}mass", rock_path))},
+      fields_{file.fields},
+      changes_{file.changes} {
   const UnitSystem& units = this->units();
   const scenes::FenceElement& rock = base_.fence->fence.rocks.front();
   if (rock.velocity.x == 0.0)
@@ -88,7 +93,7 @@ RockRuns::RockRuns(const TomlValue& document, const std::string& name, const Cap
     Rock there = own_;
     there.along = along;
     try {
-      static_cast<void>(read_scene_file(with_parameters(document, run(there, {})), name));
+      static_cast<void>(read_scene_file(with_parameters(document_, run(there, {})), name));
     } catch (const InputError& error) {
       throw InputError{fmt::format("{}: along: {}", file.file.string(), error.what())};
     }

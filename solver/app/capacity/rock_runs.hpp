@@ -14,10 +14,10 @@ namespace talus::app {
 /// proportions of the base's; it starts at least as far from the fence, in the same direction, with the same angle.
 class RockRuns {
  public:
-  /// `text`: the base, TOML. Errors: InputError for a base that is no fence, has no rock or several, or whose rock does
-  /// not move along x; if the file sets a field wrongly; and if it has positions along the fence and the base is a half
-  /// model or has no such position.
-  RockRuns(const std::string& text, const std::string& name, const CapacityFile& file);
+  /// `base`: a scene that is right. Errors: InputError for a base that is no fence, has no rock or several, or whose
+  /// rock does not move along x; if the file sets a field wrongly; and if it has positions along the fence and the base
+  /// is a half model or has no such position.
+  RockRuns(const TomlValue& base, const std::string& name, const CapacityFile& file);
 
   /// The rock of the base.
   const Rock& own() const { return own_; }
@@ -29,13 +29,13 @@ class RockRuns {
   [[nodiscard]] SweptRun run(const Rock& rock, const std::array<double, 5>& numbers) const;
 
  private:
-  RockRuns(const TomlValue& document, const std::string& name, const CapacityFile& file);
   /// Height of the base's rock's centre, at this distance from its place, above the ground [m].
   double height_at(Vec2 shift) const;
 
+  TomlValue document_;  ///< the base with the fields that the file sets
+  SceneFile base_;
   bool gives_mass_{};                ///< the base gives its rock's mass, not the density
   bool sets_spin_{}, sets_along_{};  ///< the file asks for spins or positions other than the base's
-  SceneFile base_;
   std::vector<std::pair<std::string, TomlValue>> fields_;
   RockChanges changes_;
   Rock own_;

@@ -6,18 +6,16 @@
 
 namespace talus::app {
 
-RunLimits::RunLimits(const SweepLimits& limits, std::function<bool()> interrupted, long stride)
-    : limits_{limits},
-      interrupted_{std::move(interrupted)},
-      stride_{stride},
-      start_{std::chrono::steady_clock::now()} {}
+RunLimits::RunLimits(const SweepLimits& limits, std::function<bool()> interrupted, long stride,
+                     std::function<Clock::time_point()> now)
+    : limits_{limits}, interrupted_{std::move(interrupted)}, stride_{stride}, now_{std::move(now)}, start_{now_()} {}
 
 bool RunLimits::reached(long evaluations) {
   if (limits_.evaluations > 0 && evaluations >= limits_.evaluations)
     reason_ = fmt::format("limit of {} evaluations", limits_.evaluations);
   if (++calls_ % stride_ == 0) {
     is_interrupted_ = interrupted_();
-    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
+    const std::chrono::duration<double> elapsed = now_() - start_;
     if (limits_.time > 0.0 && elapsed.count() > limits_.time) reason_ = fmt::format("limit of {} s", limits_.time);
   }
   return is_interrupted_ || !reason_.empty();

@@ -11,8 +11,11 @@ namespace talus::app {
 /// Decides when a run of a sweep must end before its time: at a limit of the sweep, or because it is interrupted.
 class RunLimits {
  public:
-  /// The clock, which starts now, and the interruption are read at each `stride`-th call of reached().
-  RunLimits(const SweepLimits& limits, std::function<bool()> interrupted, long stride);
+  using Clock = std::chrono::steady_clock;
+
+  /// The clock, whose time begins now, and the interruption are read at each `stride`-th call of reached().
+  RunLimits(const SweepLimits& limits, std::function<bool()> interrupted, long stride,
+            std::function<Clock::time_point()> now = Clock::now);
 
   /// Whether a run with this number of force evaluations must end.
   bool reached(long evaluations);
@@ -25,7 +28,8 @@ class RunLimits {
   SweepLimits limits_;
   std::function<bool()> interrupted_;
   long stride_, calls_{};
-  std::chrono::steady_clock::time_point start_;
+  std::function<Clock::time_point()> now_;
+  Clock::time_point start_;
   bool is_interrupted_{};
   std::string reason_;
 };

@@ -20,10 +20,9 @@ struct FieldKey {
 /// InputError for a text that is no path.
 [[nodiscard]] std::vector<FieldKey> field_keys(std::string_view path);
 
-/// One value of a document; it is added, empty, if only the last key is missing, with the tables `options` and `watch`
-/// if they are. `path`: keys separated by dots, an
-/// element of an array by its index from 0, and a table of a list by its name or index. Errors: InputError with the
-/// part that was not found, and what is there.
+/// One value of a document; it is added, empty, if only the last key is missing, or tables `options` or `watch` above
+/// it, which files may leave out. `path`: keys separated by dots, an element of an array by its index from 0, and a
+/// table of a list by its name or index. Errors: InputError with the part that was not found, and what is there.
 [[nodiscard]] TomlValue& field_at(TomlValue& document, std::string_view path);
 
 /// Sets that value. Errors: as field_at().

@@ -218,6 +218,15 @@ evaluations = 8000
                     talus.read_sweep(file)
                 self.assertEqual(raised.exception.file, file)
 
+    def test_whole_numbers_of_a_field_that_takes_others(self):
+        with tempfile.TemporaryDirectory() as folder:
+            text_file(folder, "ball.toml", BALL)
+            file = text_file(folder, "whole.toml", 'base = "ball.toml"\noutputs = ["ball.y.end"]\n[[axis]]\n'
+                             'field = "run.tolerance"\nrange = [0, 1]\ncount = 2\n[[axis]]\n'
+                             'field = "run.integrator"\nvalues = ["stormer_cowell"]\n')
+            with self.assertRaisesRegex(talus.InputError, "range: found whole numbers for 'run.tolerance'"):
+                talus.read_sweep(file)
+
     def test_no_runs(self):
         table = talus.sweep(talus.Scene.parse(BALL), [], ["ball.y.end"])
         self.assertEqual((table["end"], len(table["ball.y.end"])), ([], 0))

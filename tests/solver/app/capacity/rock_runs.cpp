@@ -14,7 +14,7 @@ using namespace talus::app;
 // Table 2: an ellipsoid of 0.953951 ft, 5.127408 slug/ft^3 and 34 rad/s, in US units.
 BOOST_AUTO_TEST_CASE(energy_at_the_start_has_that_of_the_spin) {
   const auto file = std::filesystem::path{TALUS_CASES} / "capacity" / "fence.toml";
-  const RockRuns rocks{base_text(file), file.string(), CapacityFile{}};
+  const RockRuns rocks{parse_toml(base_text(file), file.string()), file.string(), CapacityFile{}};
   constexpr double foot = 0.3048, slug = 14.593902937206365, radius = 0.953951 * foot;
   const double mass = 5.127408 * slug / (foot * foot * foot) * 4.0 / 3.0 * std::acos(-1.0) * std::pow(radius, 3);
   BOOST_TEST(rocks.own().mass == mass, boost::test_tools::tolerance(1e-12));
