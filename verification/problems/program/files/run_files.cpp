@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
 #include <numbers>
-#include <set>
 
 #include "verification/check/case.hpp"
+#include "verification/problems/program/files/energy_scales.hpp"
+#include "verification/problems/program/files/interrupted_runs.hpp"
 #include "verification/record/csv.hpp"
 #include "verification/record/json_node.hpp"
-#include "verification/record/whole_file.hpp"
 #include "verification/reference/motion/constant_force.hpp"
 #include "verification/reference/motion/damped_oscillator.hpp"
 #include "verification/study/findings/curves.hpp"
@@ -387,140 +386,6 @@ void check_geometry(const TemporaryFolder& folder, Findings& findings, const Set
   findings.expect("geometry: distance of the outline from its circle, largest error", outline, 0.0, of_files(), "m");
   findings.expect("geometry: ends of the rope, largest error", rope, 0.0, of_files(), "m");
   findings.expect("geometry: tension of the rope, largest error", tension, 0.0, of_files());
-}
-
-/// A disc that rebounds within too few steps, and later overlaps a second disc, with which it has no contact.
-const std::string warned = R"(title = "A run with warnings"
-units = "SI"
-[[body]]
-name = "ground"
-mobility = "fixed"
-position = ["0 m", "0 m"]
-shape = { kind = "half_plane" }
-[[body]]
-name = "disc"
-mobility = "particle"
-mass = "1 kg"
-position = ["0 m", "0.51 m"]
-velocity = ["0 m/s", "-0.4 m/s"]
-shape = { kind = "circle", radius = "0.5 m" }
-[[body]]
-name = "other"
-mobility = "particle"
-mass = "0.01 kg"
-position = ["-1.2 m", "1.6 m"]
-velocity = ["2 m/s", "0 m/s"]
-shape = { kind = "circle", radius = "0.5 m" }
-[[contact]]
-name = "touch"
-between = ["disc", "ground"]
-law = "linear_spring_dashpot"
-stiffness = "3000 N/m"
-damping = "0 N s/m"
-[run]
-integrator = "velocity_verlet"
-step = "0.02 s"
-end = "0.6 s"
-watch = { quality = "warning" }
-)";
-
-/// 0 if the summary of an interrupted run, including its warnings, is that of an uninterrupted one; otherwise 1. The
-/// balance error is largest before the interruption, and the discs overlap before and after it.
-double different_warnings(const TemporaryFolder& folder) {
-  folder.write("warned.toml", warned);
-  (void)talus_output(folder, {"run", "warned.toml", "--out", "warned"});
-  (void)talus_output(folder, {"run", "warned.toml", "--out", "warned_halves", "--until", "0.52 s"});
-  (void)talus_output(folder, {"run", "--resume", "warned_halves"});
-  const auto summary = [&](const char* out) { return records::read_json(folder.path() / out / "summary.json"); };
-  const Json whole = summary("warned");
-  return whole.at("warnings").size() == 3 && summary("warned_halves") == whole ? 0.0 : 1.0;
-}
-
-/// Number of files of a fence's run that differ from those of an interrupted one, or that only one of both has. Its
-/// cables yield before the interruption, which is between two rows, states and lines of the listing.
-double different_fence_files(const TemporaryFolder& folder) {
-  std::string deck = records::read_whole(TALUS_CASES "/fence/sample2.DAT");
-  const std::string limits = "1e8 1e8";
-  deck.replace(deck.find(limits), limits.size(), "20000. 1e8");
-  folder.write("fence.DAT", deck);
-  (void)talus_output(folder, {"run", "fence.DAT", "--end", "12 ms", "--out", "fence"});
-  (void)talus_output(folder, {"run", "fence.DAT", "--end", "12 ms", "--out", "fence_halves", "--until", "6.05 ms"});
-  (void)talus_output(folder, {"run", "--resume", "fence_halves"});
-  const auto files_of = [&](const char* out) {
-    std::set<std::string> files;
-    const std::filesystem::path whole = folder.path() / out;
-    for (const auto& entry : std::filesystem::recursive_directory_iterator{whole})
-      if (entry.is_regular_file()) files.insert(entry.path().lexically_relative(whole).string());
-    return files;
-  };
-  const std::set<std::string> files = files_of("fence");
-  if (files_of("fence_halves") != files || files.size() < 8) return 1.0;
-  return static_cast<double>(std::ranges::count_if(files, [&](const std::string& file) {
-    return folder.read("fence/" + file) != folder.read("fence_halves/" + file);
-  }));
-}
-
-/// A body on a dashpot and a drawn rope, and a disc that a dashpot holds back from the ground: the energy that is
-/// stored at the start becomes heat, so that of all energies this one changes most.
-const std::string drawn = R"(
-[[body]]
-name = "hung"
-mobility = "sliding_y"
-mass = "1 kg"
-position = ["0 m", "-1.5 m"]
-[[cable]]
-name = "rope"
-law = "tension_only"
-from = { body = "hung", point = ["0 m", "0 m"] }
-to = { point = ["0 m", "0 m"] }
-stiffness = "100 N/m"
-damping = "60 N s/m"
-rest_length = "1 m"
-)";
-const std::string pushed = R"(
-[[body]]
-name = "ground"
-mobility = "fixed"
-position = ["0 m", "0 m"]
-shape = { kind = "half_plane" }
-[[body]]
-name = "disc"
-mobility = "particle"
-mass = "1 kg"
-position = ["0 m", "0.45 m"]
-shape = { kind = "circle", radius = "0.5 m" }
-[[contact]]
-name = "bed"
-between = ["disc", "ground"]
-law = "linear_spring_dashpot"
-stiffness = "100 N/m"
-damping = "60 N s/m"
-)";
-
-/// Energy scales of these bodies over the largest change of an energy in their rows, of which there is one for each
-/// step: largest deviation from 1; 1 if that energy is not the stored one.
-double scale_error(const TemporaryFolder& folder) {
-  double worst = 0.0;
-  for (const auto& [body, stored] : {std::pair{&drawn, "energy.cables"}, std::pair{&pushed, "energy.contacts"}}) {
-    folder.write("damped.toml", "units = \"SI\"\n" + *body +
-                                    "[run]\nintegrator = \"velocity_verlet\"\nstep = \"1 ms\"\nend = \"1 s\"\n"
-                                    "interval = \"1 ms\"\n");
-    (void)talus_output(folder, {"run", "damped.toml", "--out", "damped"});
-    const Csv rows = records::read_csv(folder.path() / "damped/history.csv");
-    double largest = 0.0, of_stored = 0.0;
-    for (std::size_t i = 0; i < rows.header().size(); ++i) {
-      if (!rows.header()[i].starts_with("energy.")) continue;
-      double change = 0.0;
-      for (std::size_t row = 0; row < rows.rows(); ++row)
-        change = std::max(change, std::abs(rows.number(row, i) - rows.number(0, i)));
-      largest = std::max(largest, change);
-      if (rows.header()[i].starts_with(stored)) of_stored = change;
-    }
-    const Json summary = records::read_json(folder.path() / "damped/summary.json");
-    keep_worst(worst,
-               of_stored == largest ? summary.at("ledger").at("energy_scale").get<double>() / largest - 1.0 : 1.0);
-  }
-  return worst;
 }
 
 void check_resumed(const TemporaryFolder& folder, Findings& findings, const Setup& setup) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "verification/problems/program/sweeps/ball_sweep.hpp"
 #include "verification/record/csv.hpp"
 #include "verification/record/json_node.hpp"
 
@@ -36,8 +37,8 @@ int swept(const Program& program, const std::string& name, const std::string& ba
   return exit_code;
 }
 
-std::string axis(const std::string& field, const std::string& values) {
-  return fmt::format("[[axis]]\nfield = \"{}\"\nvalues = [{}]\n", field, values);
+std::string listed(const std::string& field, const std::string& values) {
+  return axis(field, fmt::format("values = [{}]", values));
 }
 
 bool is_near(double value, double exact) { return std::abs(value / exact - 1.0) < 1e-12; }
@@ -53,8 +54,8 @@ void check_numbers(const Program& program, Differences& differ) {
     list += fmt::format("\"{}\", ", output);
   const int exit_code =
       swept(program, "cells", cell_text("restitution = 0.5\noverburden = \"8 kPa\"\n", "30 ms"),
-            fmt::format("outputs = [{}\"cell.balance_error\"]\n", list) + axis("cell.seed", "3, 7") +
-                axis("cell.restitution", "0.6, 0.8") + axis("cell.overburden", "\"8 kPa\", \"4 kPa\""));
+            fmt::format("outputs = [{}\"cell.balance_error\"]\n", list) + listed("cell.seed", "3, 7") +
+                listed("cell.restitution", "0.6, 0.8") + listed("cell.overburden", "\"8 kPa\", \"4 kPa\""));
   differ.compare("cells: exit status", exit_code, 0);
   const records::Csv csv = program.csv("cells/results.csv");
   differ.compare("cells: rows", csv.rows(), std::size_t{8});
@@ -97,7 +98,7 @@ void check_numbers(const Program& program, Differences& differ) {
 /// The depth of a cell in feet is one in metres in results.json.
 void check_units(const Program& program, Differences& differ) {
   std::string base = cell_text("restitution = 0.5\noverburden = \"8 kPa\"\n", "15 ms");
-  const std::string more = "outputs = [\"cell.depth\"]\n" + axis("cell.seed", "1");
+  const std::string more = "outputs = [\"cell.depth\"]\n" + listed("cell.seed", "1");
   swept(program, "metres", base, more);
   base.replace(base.find("\"SI\""), 4, "\"US\"");
   swept(program, "feet", base, more);
@@ -134,10 +135,10 @@ void check_fit(const Program& program, Differences& differ) {
 /// Runs that finish with a warning, reach a limit, are refused.
 void check_ends(const Program& program, Differences& differ) {
   const std::string load = "restitution = 0.7\noverburden = \"8 kPa\"\n";
-  const int exit_code =
-      swept(program, "cell_ends", cell_text(load, "15 ms"),
-            "outputs = [\"cell.depth\", \"cell.stress_ratio_top\"]\n[limits]\nevaluations = 40000\n" +
-                axis("cell.block_speed", "\"3 m/s\", \"100 m/s\"") + axis("run.end", "\"15 ms\", \"20 ms\", \"-1 s\""));
+  const int exit_code = swept(program, "cell_ends", cell_text(load, "15 ms"),
+                              "outputs = [\"cell.depth\", \"cell.stress_ratio_top\"]\n[limits]\nevaluations = 40000\n" +
+                                  listed("cell.block_speed", "\"3 m/s\", \"100 m/s\"") +
+                                  listed("run.end", "\"15 ms\", \"20 ms\", \"-1 s\""));
   differ.compare("cells: exit status with failed runs", exit_code, 6);
   const records::Csv csv = program.csv("cell_ends/results.csv");
   const auto text = [&](std::size_t row, const char* head) { return std::string{csv.cell(row, head)}; };
@@ -154,7 +155,7 @@ void check_ends(const Program& program, Differences& differ) {
   // Nothing touches the block in 0.1 ms, in which it falls by 0.05 um.
   std::string apart = cell_text(load, "0.1 ms");
   swept(program, "cell_apart", apart.replace(apart.find("\"5 ms\""), 6, "\"4e-6 s\""),
-        "outputs = [\"cell.depth\", \"cell.stress_ratio_top\"]\n" + axis("cell.seed", "1"));
+        "outputs = [\"cell.depth\", \"cell.stress_ratio_top\"]\n" + listed("cell.seed", "1"));
   const records::Csv without = program.csv("cell_apart/results.csv");
   differ.holds("cells: depth of discs apart", std::abs(without.number(0, "cell.depth [m]") - 5e-3) < 1e-7);
   // As many runs as whole numbers in a range: a Latin hypercube has each of them once.
@@ -171,16 +172,16 @@ void check_ends(const Program& program, Differences& differ) {
                              without.cell(0, "cell.stress_ratio_top")),
                  std::string{"finished, cell.stress_ratio_top has no value: what it is divided by is 0 in the means"});
   program.write("cell_output.toml",
-                "base = \"cells_base.toml\"\noutputs = [\"cell.deepth\"]\n" + axis("cell.seed", "1"));
+                "base = \"cells_base.toml\"\noutputs = [\"cell.deepth\"]\n" + listed("cell.seed", "1"));
   const ProgramEnd output = program.end({"sweep", "plan", "cell_output.toml"});
   differ.ended("refusal: output of a cell", output, 2,
                "cell_output.toml: outputs: number of a cell 'cell.deepth' is not known; "
                "nearest: cell.depth");
   program.write("cell_error.toml",
-                "base = \"cells_base.toml\"\noutputs = [\"cell.restitution.error\"]\n" + axis("cell.seed", "1"));
+                "base = \"cells_base.toml\"\noutputs = [\"cell.restitution.error\"]\n" + listed("cell.seed", "1"));
   differ.compare("refusal: error of a group", program.end({"sweep", "plan", "cell_error.toml"}).exit_code, 2);
   program.write("CNTRL.DAT", "0 0\n");
-  program.write("deck_cell.toml", "base = \"CNTRL.DAT\"\noutputs = [\"cell.depth\"]\n" + axis("cell.seed", "1"));
+  program.write("deck_cell.toml", "base = \"CNTRL.DAT\"\noutputs = [\"cell.depth\"]\n" + listed("cell.seed", "1"));
   const ProgramEnd deck = program.end({"sweep", "plan", "deck_cell.toml"});
   differ.ended("refusal: a cell without units", deck, 2, "CNTRL.DAT: CNTRL.DAT has no units");
 }

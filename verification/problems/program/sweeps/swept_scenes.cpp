@@ -1,22 +1,22 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <filesystem>
-#include <map>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "verification/check/case.hpp"
+#include "verification/problems/program/sweeps/ball_sweep.hpp"
 #include "verification/problems/program/sweeps/dakota_files.hpp"
+#include "verification/problems/program/sweeps/failed_runs.hpp"
 #include "verification/problems/program/sweeps/sweep_engines.hpp"
 #include "verification/problems/program/sweeps/sweep_refusals.hpp"
 #include "verification/problems/program/sweeps/swept_cells.hpp"
+#include "verification/problems/program/sweeps/swept_fences.hpp"
 #include "verification/record/csv.hpp"
 #include "verification/record/json_node.hpp"
-#include "verification/record/whole_file.hpp"
 #include "verification/reference/impacts/restitution.hpp"
 #include "verification/study/findings/expectations.hpp"
 #include "verification/study/program/program_options.hpp"
@@ -27,21 +27,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using records::Json;
-
-constexpr double radius = 0.1, step = 1e-4;
-
-std::string ball_scene(const std::string& integrator) {
-  return fmt::format(
-      "title = \"Ball against a wall\"\nunits = \"SI\"\n"
-      "[[body]]\nname = \"ball\"\nmobility = \"particle\"\nmass = \"2 kg\"\nposition = [\"-0.15 m\", \"0 m\"]\n"
-      "velocity = [\"5 m/s\", \"0 m/s\"]\nshape = {{ kind = \"circle\", radius = \"{} m\" }}\n"
-      "[[body]]\nname = \"wall\"\nmobility = \"fixed\"\nposition = [\"0 m\", \"0 m\"]\nangle = \"90 deg\"\n"
-      "shape = {{ kind = \"half_plane\" }}\n"
-      "[[contact]]\nname = \"hit\"\nbetween = [\"ball\", \"wall\"]\nlaw = \"linear_spring_dashpot\"\n"
-      "stiffness = \"1e5 N/m\"\ndamping = \"100 N s/m\"\n"
-      "[run]\nintegrator = \"{}\"\nstep = \"{} s\"\nend = \"0.2 s\"\n",
-      radius, integrator, step);
-}
 
 /// The impact of a run, with the fields that it may change.
 struct BallImpact {
@@ -57,39 +42,6 @@ struct BallImpact {
 struct Worst {
   double velocity{}, overlap{}, json{}, spaced{}, strata{}, quantile{};
 };
-
-/// Plans, runs and collects a sweep in a folder of its name.
-records::Csv collected(const Program& program, const std::string& name, const std::string& text) {
-  program.write(name + ".toml", text);
-  program.run({"sweep", "plan", name + ".toml"});
-  program.run({"sweep", "run", name});
-  program.run({"sweep", "collect", name});
-  return program.csv(name + "/results.csv");
-}
-
-/// Ends of the runs in results.json beside those of the table, and their counts.
-void compare_ends(const Program& program, const std::string& name, const records::Csv& csv, Differences& differ) {
-  const Json json = program.file(name + "/results.json");
-  const Json &runs = json.at("runs"), &counts = json.at("counts");
-  differ.compare("units of results.json", json.at("units").get<std::string>(), std::string{"SI"});
-  differ.compare("rows of results.json", runs.size(), csv.rows());
-  std::map<std::string, std::size_t> ends;
-  for (std::size_t row = 0; row < std::min(runs.size(), csv.rows()); ++row) {
-    const Json& run = runs.at(row);
-    for (const std::string member : {"id", "end", "reason", "verdict"})
-      if (run.contains(member))
-        differ.compare(member + " in results.json", run.at(member).get<std::string>(),
-                       std::string{csv.cell(row, member)});
-    for (const auto& [member, head] :
-         {std::pair{"number", "number"}, {"time", "time [s]"}, {"evaluations", "evaluations"}})
-      differ.compare(fmt::format("{} in results.json", member), run.at(member).get<double>(), csv.number(row, head));
-    ++ends[std::string{csv.cell(row, "end")}];
-  }
-  differ.compare("number of runs in results.json", counts.at("runs").get<std::size_t>(), csv.rows());
-  differ.compare("number of missing runs", counts.at("missing").get<int>(), 0);
-  for (const char* const end : {"finished", "unusable", "diverged", "refused", "limited"})
-    differ.compare(fmt::format("number of {} runs", end), counts.at(end).get<std::size_t>(), ends[end]);
-}
 
 /// The rows beside the closed form, with the columns of the fields in their order.
 void compare_rows(const Program& program, const std::string& name, const records::Csv& csv, Worst& worst,
@@ -124,10 +76,6 @@ void compare_rows(const Program& program, const std::string& name, const records
 }
 
 const std::string outputs = "base = \"ball.toml\"\noutputs = [\"ball.vx.end\", \"ball.x.max\"]\n";
-
-std::string axis(const std::string& field, const std::string& rest) {
-  return fmt::format("[[axis]]\nfield = \"{}\"\n{}\n", field, rest);
-}
 
 std::string grid_text() {
   return "title = \"Rebounds\"\n" + outputs +
@@ -337,175 +285,6 @@ void check_table(const Program& program, Worst& worst, Differences& differ) {
   }
 }
 
-/// A run of the sweep is that of `talus run` with the same fields, bit by bit; a fence has a verdict.
-void check_fence(const Program& program, Differences& differ) {
-  // The fence of the template, whose run ends when the rock passes a position: long before its time.
-  std::string fence = program.run({"new", "fence"});
-  const auto write_line = [&](const std::string& template_line, const std::string& line) {
-    const std::size_t at = fence.find("\n# " + template_line) + 1;
-    fence.replace(at, fence.find('\n', at) - at, line);
-  };
-  write_line("end = ", "end = \"exit\"");
-  write_line("exit_x = ", "exit_x = \"0.7 m\"");
-  program.write("fence.toml", fence);
-  const records::Csv csv =
-      collected(program, "speeds",
-                "base = \"fence.toml\"\noutputs = [\"rock.vx.end\", \"energy.kinetic.max\", \"rock.x.end\"]\n" +
-                    axis("fence.rock[0].velocity[0]", "values = [\"-5 m/s\", \"-25 m/s\"]") +
-                    axis("fence.columns", "range = [5, 9]\ncount = 3"));
-  differ.compare("runs of a fence", csv.rows(), std::size_t{6});
-  compare_ends(program, "speeds", csv, differ);
-  const std::string scene = program.read("fence.toml");
-  for (std::size_t row = 0; row < csv.rows(); ++row) {
-    const std::string speed{csv.cell(row, 2)}, columns{csv.cell(row, 3)};
-    differ.compare("whole number of columns", columns, std::string{row % 3 == 0 ? "5" : row % 3 == 1 ? "7" : "9"});
-    std::string changed = scene;
-    const auto replace = [&](const std::string& key, const std::string& value) {
-      const std::size_t at = changed.find("\n" + key + " = ") + 1, end = changed.find('\n', at);
-      changed.replace(at, end - at, key + " = " + value);
-    };
-    replace("columns", columns);
-    const std::size_t rock = changed.find("[[fence.rock]]"), line = changed.find("\nvelocity = ", rock) + 1;
-    const std::size_t comma = changed.find(',', line);
-    changed.replace(line, comma - line, fmt::format("velocity = [\"{} m/s\"", speed));
-    program.write("changed.toml", changed);
-    const Json summary = program.json({"run", "changed.toml"}, {{"--json", {}}});
-    differ.compare("early end", csv.number(row, "time [s]"), summary.at("outcome").at("time").get<double>());
-    // The states are 0.8 ms apart, at most 2 cm.
-    const double beyond = 0.7 - csv.number(row, "rock.x.end [m]");
-    differ.holds("the run ends where the rock has passed", beyond > 0.0 && beyond < 0.021);
-    differ.compare("verdict", std::string{csv.cell(row, "verdict")},
-                   summary.at("verdict").at("fence").get<std::string>());
-    const std::string evaluations = fmt::format("{}", summary.at("evaluations").get<long>());
-    differ.compare("evaluations", std::string{csv.cell(row, "evaluations")}, evaluations);
-    if (row == csv.rows() - 1)
-      differ.contains("cost up to the early end", program.run({"check", "changed.toml"}),
-                      fmt::format(" s, {} force evaluations; each over ", evaluations));
-    for (const Json& body : summary.at("bodies"))
-      if (body.at("name").get<std::string>() == "rock")
-        differ.compare("velocity", csv.number(row, "rock.vx.end [m/s]"), body.at("velocity").at(0).get<double>());
-    for (const Json& extreme : summary.at("extremes"))
-      if (extreme.at("name").get<std::string>() == "energy.kinetic")
-        differ.compare("extreme", csv.number(row, "energy.kinetic.max [N m]"), extreme.at("maximum").get<double>());
-  }
-  // Whole numbers of a table: a scene takes no others for a number of columns.
-  program.write("columns.csv", "n\n5\n9\n");
-  const records::Csv table =
-      collected(program, "columns",
-                "base = \"fence.toml\"\noutputs = [\"rock.vx.end\"]\n[[axis]]\ntable = \"columns.csv\"\n"
-                "columns = { \"fence.columns\" = \"n\" }\n" +
-                    axis("fence.rock[0].velocity[0]", "values = [\"-25 m/s\"]"));
-  differ.compare("rows of a table of columns", table.rows(), std::size_t{2});
-  for (std::size_t row = 0; row < table.rows(); ++row)
-    differ.compare("velocity with the columns of a table", table.number(row, "rock.vx.end [m/s]"),
-                   csv.number(row == 0 ? 3 : 5, "rock.vx.end [m/s]"));
-}
-
-/// A deck of 1993 as base: the run of `talus run` of the deck, bit by bit, and of the deck with another speed.
-void check_deck(const Program& program, Differences& differ) {
-  std::string deck = records::read_whole(fs::path{TALUS_CASES} / "fence" / "table_2.DAT");
-  deck.replace(deck.find("0.03418558 100000"), 17, "0.17 2000");
-  program.write("fence.DAT", deck);
-  const records::Csv csv = collected(program, "deck",
-                                     "base = \"fence.DAT\"\noutputs = [\"rock.vx.end\", \"rock.y.end\"]\n" +
-                                         axis("fence.rock[0].velocity[0]", "values = [\"-65 ft/s\", \"-50 ft/s\"]"));
-  differ.compare("runs of a deck", csv.rows(), std::size_t{2});
-  if (csv.rows() != 2) return;
-  for (const std::size_t row : {std::size_t{0}, std::size_t{1}}) {
-    if (row == 1) program.write("fence.DAT", deck.replace(deck.find("-65.0"), 5, "-50.0"));
-    const Json summary = program.json({"run", "fence.DAT"}, {{"--json", {}}});
-    for (const Json& body : summary.at("bodies")) {
-      if (body.at("name").get<std::string>() != "rock") continue;
-      differ.compare("velocity of a deck's rock", csv.number(row, "rock.vx.end [ft/s]"),
-                     body.at("velocity").at(0).get<double>());
-      differ.compare("position of a deck's rock", csv.number(row, "rock.y.end [ft]"),
-                     body.at("position").at(1).get<double>());
-    }
-  }
-}
-
-/// Rows of runs that fail, with their reasons and exit statuses.
-void check_failures(const Program& program, Differences& differ) {
-  program.write("steps.toml", ball_scene("velocity_verlet"));
-  program.write("failing.toml", "base = \"steps.toml\"\noutputs = [\"ball.vx.end\"]\n[limits]\nevaluations = 5000\n" +
-                                    axis("body.ball.mass", "values = [\"2 kg\", \"-1 kg\"]") +
-                                    axis("run.step", "values = [\"1e-4 s\", \"2e-2 s\", \"1e-6 s\"]"));
-  program.run({"sweep", "plan", "failing.toml"});
-  const ProgramEnd ran = program.end({"sweep", "run", "failing"});
-  differ.compare("exit status if some runs fail", ran.exit_code, 6);
-  differ.contains("counts of failures", ran.output, "6 of 6 runs done: 1 finished, 1 diverged, 3 refused, 1 limited\n");
-  differ.compare("exit status of collect", program.end({"sweep", "collect", "failing"}).exit_code, 6);
-  const records::Csv csv = program.csv("failing/results.csv");
-  const std::vector<std::pair<std::string, std::string>> ends{{"finished", ""},
-                                                              {"diverged", "overlaps by"},
-                                                              {"limited", "limit of 5000 evaluations"},
-                                                              {"refused", "found \"-1 kg\""},
-                                                              {"refused", "-1 kg"},
-                                                              {"refused", "mass"}};
-  differ.compare("rows of failures", csv.rows(), ends.size());
-  compare_ends(program, "failing", csv, differ);
-  for (std::size_t row = 0; row < std::min(csv.rows(), ends.size()); ++row) {
-    differ.compare("end: " + ends[row].first, std::string{csv.cell(row, "end")}, ends[row].first);
-    const std::string_view reason = csv.cell(row, "reason");
-    differ.holds("reason: " + ends[row].second,
-                 row == 0 ? reason.empty() : reason.find(ends[row].second) != std::string_view::npos);
-    differ.compare("no value of a failed run", csv.cell(row, "ball.vx.end [m/s]").empty(), row > 0);
-  }
-  const Json status = program.json({"sweep", "status", "failing"}, {{"--json", {}}});
-  for (const auto& [member, count] : {std::pair{"runs", 6},
-                                      {"missing", 0},
-                                      {"finished", 1},
-                                      {"diverged", 1},
-                                      {"refused", 3},
-                                      {"limited", 1},
-                                      {"unusable", 0},
-                                      {"duplicates", 0},
-                                      {"of_others", 0}})
-    differ.compare(member, status.at(member).get<int>(), count);
-
-  // A run with a step that is too long, of which the watch only warns.
-  program.write("coarse.toml", ball_scene("velocity_verlet") + "watch = { quality = \"warning\" }\n");
-  program.write("warned.toml",
-                "base = \"coarse.toml\"\noutputs = [\"ball.vx.end\"]\n" + axis("run.step", "values = [\"5e-3 s\"]"));
-  program.run({"sweep", "plan", "warned.toml"});
-  differ.compare("exit status with warnings", program.end({"sweep", "run", "warned"}).exit_code, 0);
-  program.run({"sweep", "collect", "warned"});
-  const records::Csv warned = program.csv("warned/results.csv");
-  const std::string reason{warned.cell(0, "reason")};
-  differ.compare("end with warnings", std::string{warned.cell(0, "end")}, std::string{"finished"});
-  differ.contains("a flaw as reason", reason, "the energy balance is off by");
-  const Json summary = program.json({"run", "coarse.toml"}, {{"--step", {"5 ms"}}, {"--json", {}}});
-  differ.holds("warnings of the run", !summary.at("warnings").empty());
-  for (const Json& warning : summary.at("warnings"))
-    differ.contains("a warning as reason", reason, warning.get<std::string>());
-
-  const ProgramEnd planned = program.end({"sweep", "plan", "failing.toml"}, {{"--out", {"deep/er"}}});
-  differ.contains("warning of the plan", planned.messages, "warning: run 4 is refused: ");
-  // Reasons do not depend on the folder, nor on the way to it.
-  const fs::path deep = fs::canonical(program.folder().path() / "deep/er");
-  program.end({"sweep", "run", deep.string()});
-  program.end({"sweep", "collect", deep.string()});
-  differ.compare("table in another folder", program.read("deep/er/results.csv"), program.read("failing/results.csv"));
-
-  program.write("none.toml", "base = \"steps.toml\"\noutputs = [\"ball.vx.end\"]\n[limits]\nevaluations = 100\n" +
-                                 axis("run.step", "values = [\"1e-7 s\", \"2e-7 s\"]"));
-  const Json cost = program.json({"sweep", "plan", "none.toml"}, {{"--json", {}}});
-  differ.compare("estimate with a limit", cost.at("evaluations").get<double>(), 200.0);
-  differ.compare("exit status if all runs fail", program.end({"sweep", "run", "none"}).exit_code, 3);
-
-  program.write("slow.toml", "base = \"steps.toml\"\noutputs = [\"ball.vx.end\"]\n[limits]\ntime = \"60 ms\"\n" +
-                                 axis("run.step", "values = [\"1e-9 s\"]"));
-  program.run({"sweep", "plan", "slow.toml"});
-  const auto began = std::chrono::steady_clock::now();
-  program.end({"sweep", "run", "slow"});
-  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - began;
-  // No upper limit, since a busy machine makes it later; the run would take hours.
-  differ.holds("a run ends after its limit of time", taken.count() > 0.06);
-  program.end({"sweep", "collect", "slow"});
-  const records::Csv slow = program.csv("slow/results.csv");
-  differ.compare("limit of time", std::string{slow.cell(0, "reason")}, std::string{"limit of 0.06 s"});
-}
-
 /// The same bytes for parts in any order, threads, and after lost, cut and repeated results.
 void check_bytes(const Program& program, Findings& findings, Differences& differ) {
   const Setup& setup = program.setup();
@@ -597,8 +376,7 @@ void run(Findings& findings, const Setup& setup) {
   if (setup.needs("files")) check_bytes(program, findings, differ);
   check_table(program, worst, differ);
   if (setup.needs("outputs that differ")) {
-    check_fence(program, differ);
-    check_deck(program, differ);
+    check_fences(program, differ);
     check_cells(program, differ);
     check_dakota(program, differ);
     check_failures(program, differ);
@@ -642,7 +420,6 @@ Case definition() {
                      {"random_points", "independent points in place of the designs", strata},
                      {"part_left_out", "one of three parts is not run", bytes}},
           .seconds = 6.0,
-          .time_limit = 120.0,
           .run = run};
 }
 

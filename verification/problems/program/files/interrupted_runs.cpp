@@ -1,0 +1,85 @@
+#include "verification/problems/program/files/interrupted_runs.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+#include <string>
+
+#include "verification/record/json_node.hpp"
+#include "verification/record/whole_file.hpp"
+
+namespace talus::verification::problems::run_files {
+namespace {
+
+using records::Json;
+
+/// A disc that rebounds within too few steps, and later overlaps a second disc, with which it has no contact.
+const std::string warned = R"(title = "A run with warnings"
+units = "SI"
+[[body]]
+name = "ground"
+mobility = "fixed"
+position = ["0 m", "0 m"]
+shape = { kind = "half_plane" }
+[[body]]
+name = "disc"
+mobility = "particle"
+mass = "1 kg"
+position = ["0 m", "0.51 m"]
+velocity = ["0 m/s", "-0.4 m/s"]
+shape = { kind = "circle", radius = "0.5 m" }
+[[body]]
+name = "other"
+mobility = "particle"
+mass = "0.01 kg"
+position = ["-1.2 m", "1.6 m"]
+velocity = ["2 m/s", "0 m/s"]
+shape = { kind = "circle", radius = "0.5 m" }
+[[contact]]
+name = "touch"
+between = ["disc", "ground"]
+law = "linear_spring_dashpot"
+stiffness = "3000 N/m"
+damping = "0 N s/m"
+[run]
+integrator = "velocity_verlet"
+step = "0.02 s"
+end = "0.6 s"
+watch = { quality = "warning" }
+)";
+
+}  // namespace
+
+double different_warnings(const TemporaryFolder& folder) {
+  folder.write("warned.toml", warned);
+  (void)talus_output(folder, {"run", "warned.toml", "--out", "warned"});
+  (void)talus_output(folder, {"run", "warned.toml", "--out", "warned_halves", "--until", "0.52 s"});
+  (void)talus_output(folder, {"run", "--resume", "warned_halves"});
+  const auto summary = [&](const char* out) { return records::read_json(folder.path() / out / "summary.json"); };
+  const Json whole = summary("warned");
+  return whole.at("warnings").size() == 3 && summary("warned_halves") == whole ? 0.0 : 1.0;
+}
+
+double different_fence_files(const TemporaryFolder& folder) {
+  std::string deck = records::read_whole(TALUS_CASES "/fence/sample2.DAT");
+  const std::string limits = "1e8 1e8";
+  deck.replace(deck.find(limits), limits.size(), "20000. 1e8");
+  folder.write("fence.DAT", deck);
+  (void)talus_output(folder, {"run", "fence.DAT", "--end", "12 ms", "--out", "fence"});
+  (void)talus_output(folder, {"run", "fence.DAT", "--end", "12 ms", "--out", "fence_halves", "--until", "6.05 ms"});
+  (void)talus_output(folder, {"run", "--resume", "fence_halves"});
+  const auto files_of = [&](const char* out) {
+    std::set<std::string> files;
+    const std::filesystem::path whole = folder.path() / out;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator{whole})
+      if (entry.is_regular_file()) files.insert(entry.path().lexically_relative(whole).string());
+    return files;
+  };
+  const std::set<std::string> files = files_of("fence");
+  if (files_of("fence_halves") != files || files.size() < 8) return 1.0;
+  return static_cast<double>(std::ranges::count_if(files, [&](const std::string& file) {
+    return folder.read("fence/" + file) != folder.read("fence_halves/" + file);
+  }));
+}
+
+}  // namespace talus::verification::problems::run_files

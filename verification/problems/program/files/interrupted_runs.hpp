@@ -1,0 +1,16 @@
+#pragma once
+
+#include "verification/study/program/program_run.hpp"
+
+/// Interrupted runs that warn, and of a fence; part of the case `run_files`.
+namespace talus::verification::problems::run_files {
+
+/// 0 if the summary of an interrupted run, including its warnings, is that of an uninterrupted one; otherwise 1. The
+/// balance error is largest before the interruption, and the discs overlap before and after it.
+[[nodiscard]] double different_warnings(const TemporaryFolder& folder);
+
+/// Number of files of a fence's run that differ from those of an interrupted one, or that only one of both has. Its
+/// cables yield before the interruption, which is between two rows, states and lines of the listing.
+[[nodiscard]] double different_fence_files(const TemporaryFolder& folder);
+
+}  // namespace talus::verification::problems::run_files

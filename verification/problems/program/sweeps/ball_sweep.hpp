@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+
+#include "verification/record/csv.hpp"
+#include "verification/study/program/program_options.hpp"
+
+/// Sweeps of a ball that hits a wall; part of the case `swept_scenes`.
+namespace talus::verification::problems::swept_scenes {
+
+/// Radius of the ball, m, and time step of its scene, s.
+inline constexpr double radius = 0.1, step = 1e-4;
+
+/// The scene, in SI units.
+std::string ball_scene(const std::string& integrator);
+
+/// An axis of the field with `rest`, its other keys.
+std::string axis(const std::string& field, const std::string& rest);
+
+/// Writes the text, plans, runs and collects it in a folder of its name, and returns the table.
+records::Csv collected(const Program& program, const std::string& name, const std::string& text);
+
+/// Compares the ends of the runs in results.json, and their counts, with those of the table.
+void compare_ends(const Program& program, const std::string& name, const records::Csv& csv, Differences& differ);
+
+}  // namespace talus::verification::problems::swept_scenes
