@@ -248,9 +248,9 @@ range = ["20 N s/m", "80 N s/m"]
 [bootstrap]
 samples = 0
 )");
-  const Json fit = program.json({"fit", "counted.fit.toml"}, {{"--json", {}}});
+  const Json fit = Json::parse(talus_output(program.folder(), {"fit", "counted.fit.toml", "--out", "drawn", "--json"},
+                                            picture_options::recorded_pictures()));
   // Measured and fitted values of each quantity as drawn, in six digits, over the first column.
-  talus_output(program.folder(), {"fit", "counted.fit.toml", "--out", "drawn"}, picture_options::recorded_pictures());
   const records::Csv rows = program.csv("drawn/fit.csv");
   for (const std::size_t quantity : {1, 2, 3}) {
     const auto picture =
