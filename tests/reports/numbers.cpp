@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "reports/base/process.hpp"
+#include "tests/reports/report_program.hpp"
 #include "tests/reports/scratch.hpp"
 #include "verification/record/whole_file.hpp"
 
@@ -19,15 +19,13 @@ namespace {
 
 const fs::path templates = TALUS_TEMPLATES;
 
-Finished program(const std::vector<std::string>& arguments) { return run({TALUS_REPORT_PROGRAM, arguments, {}, {}}); }
-
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(every_number_of_the_report_is_in_the_results) {
   for (const char* name : {"pass", "fail"}) {
     const Scratch scratch("numbers");
     const fs::path verify = fs::path(TALUS_TEST_DATA) / name;
-    BOOST_TEST_REQUIRE(program({verify.string(), scratch.folder.string()}).status == 0);
+    write_markdown(verify, scratch.folder);
     BOOST_TEST(count_of_numbers(talus::records::read_whole(scratch.folder / "verification.md") +
                                 talus::records::read_whole(scratch.folder / "verification-details.md")) > 200U);
     for (const std::string& number : unfounded_numbers(verify, scratch.folder, templates))
@@ -38,7 +36,7 @@ BOOST_AUTO_TEST_CASE(every_number_of_the_report_is_in_the_results) {
 BOOST_AUTO_TEST_CASE(a_number_that_is_not_in_the_results_is_found) {
   const Scratch scratch("numbers");
   const std::string verify = (fs::path(TALUS_TEST_DATA) / "pass").string(), report = scratch.folder.string();
-  BOOST_TEST_REQUIRE(program({verify, report}).status == 0);
+  write_markdown(verify, report);
   const Finished sound = program({verify, report, "--check"});
   BOOST_TEST(sound.status == 0, sound.messages);
   const fs::path volume = scratch.folder / "verification.md";

@@ -164,8 +164,7 @@ BOOST_AUTO_TEST_CASE(the_first_page_names_the_machine_and_what_did_not_run) {
   nlohmann::json results = nlohmann::json::parse(read_whole(file));
   const auto first_page = [&] {
     write_whole(file, results.dump(1));
-    const Finished made = program({(scratch.folder / "verify").string(), (scratch.folder / "report").string()});
-    BOOST_TEST_REQUIRE(made.status == 0, made.messages);
+    write_markdown(scratch.folder / "verify", scratch.folder / "report");
     const std::string text = read_whole(scratch.folder / "report" / "verification.md");
     return text.substr(0, text.find("\n# Coverage"));
   };

@@ -27,7 +27,7 @@ Model pair_of(Body a, Body b) {
 
 /// Smallest and largest effective mass of the deepest instance over random orientations in which the outlines touch;
 /// `b` is moved towards `a`, whose centre of mass stays where it is.
-std::pair<double, double> measured(Model model, bool turns_b, int count = 3000) {
+std::pair<double, double> measured(Model model, bool turns_b, int count = 1500) {
   std::mt19937_64 random{7};
   const auto angle = [&] { return 2.0 * std::acos(-1.0) * (static_cast<double>(random() >> 11) * 0x1p-53); };
   double smallest = std::numeric_limits<double>::infinity(), largest = 0.0;
@@ -42,8 +42,8 @@ std::pair<double, double> measured(Model model, bool turns_b, int count = 3000) 
       std::vector<Spring> found = springs(dynamics, rest_state(model));
       return *std::ranges::max_element(found, {}, &Spring::deformation);
     };
-    double near = 0.01, far = 10.0;
-    for (int half = 0; half < 40; ++half) {
+    double near = 0.01, far = 1.5;
+    for (int half = 0; half < 32; ++half) {
       const double middle = 0.5 * (near + far);
       (deepest(middle).deformation > 0.0 ? near : far) = middle;
     }
