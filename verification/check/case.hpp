@@ -70,7 +70,7 @@ struct Case {
   double seconds = 1.0;   ///< Approximate processor time of the quick tier [s]: the driver starts long cases first.
   /// The same for the full tier if it runs more than the quick one; 0: it does not, and Setup::tier is quick in both.
   double full_seconds = 0.0;
-  double time_limit = 60.0;   ///< Wall-clock limit [s] for the whole case, including its faulty setups.
+  double time_limit = 600.0;  ///< Wall-clock limit [s] with all faulty setups, also of a slow and busy machine.
   double memory_limit = 2.0;  ///< Largest memory [GiB] that the case may use at any time.
   /// Measures and compares; throws on errors that it cannot handle.
   std::function<void(Findings&, const Setup&)> run{};

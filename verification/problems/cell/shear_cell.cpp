@@ -268,7 +268,6 @@ Case definition() {
                   "momentum balance error of the block, velocity_verlet"},
                  {"few_steps", "10 steps in a contact instead of 80", "spurious_gain"}},
       .seconds = 10.0,
-      .time_limit = 150.0,
       .run = run};
 }
 

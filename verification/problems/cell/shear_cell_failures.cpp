@@ -361,7 +361,6 @@ Case definition() {
                   "limits met, Taylor with 60 steps in a contact"}},
       .seconds = 20.0,
       .full_seconds = 42.0,
-      .time_limit = 400.0,
       .run = run};
 }
 

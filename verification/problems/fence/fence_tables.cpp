@@ -481,7 +481,6 @@ Case definition() {
                   "bottom cable force, with bottom cable: distance to the print over that of twins"}},
       .seconds = 3.0,
       .full_seconds = 24.0,
-      .time_limit = 300.0,
       .run = run};
 }
 

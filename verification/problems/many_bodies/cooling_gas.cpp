@@ -256,7 +256,6 @@ Case definition() {
                   "change of the energy of elastic discs, 4 steps in a contact"}},
       .seconds = 4.0,
       .full_seconds = 23.0,
-      .time_limit = 600.0,
       .run = run};
 }
 

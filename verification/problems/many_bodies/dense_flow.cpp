@@ -88,7 +88,6 @@ Case definition() {
                      {"motion_alone", "stress from motion alone", "slowest_flow/inertial_number"}},
           .seconds = 4.0,
           .full_seconds = 18.0,
-          .time_limit = 600.0,
           .run = run};
 }
 

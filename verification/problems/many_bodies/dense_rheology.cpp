@@ -328,7 +328,6 @@ Case definition() {
                  {"smooth_discs", "no friction between the rough discs", "rough_excess"}},
       .seconds = 6.0,
       .full_seconds = 45.0,
-      .time_limit = 600.0,
       .run = run};
 }
 

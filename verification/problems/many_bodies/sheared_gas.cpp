@@ -197,7 +197,6 @@ Case definition() {
                      {"stress_without_contacts", "stress from motion alone", friction}},
           .seconds = 3.0,
           .full_seconds = 73.0,
-          .time_limit = 600.0,
           .run = run};
 }
 

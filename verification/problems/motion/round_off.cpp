@@ -450,7 +450,6 @@ Case definition() {
                  {"dashpot_left_on", "a dashpot of 2^-10, whose error no smaller step reduces",
                   "order of the truncation error, rk4, 24 bits"}},
       .full_seconds = 32.0,
-      .time_limit = 120.0,
       .run = run};
 }
 

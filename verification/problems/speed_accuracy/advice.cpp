@@ -400,7 +400,6 @@ Case definition() {
                   "caught bob: error of the advised run over the accuracy"},
                  {"differences_not_followed", "growth of small initial differences not measured", "refused_gas"}},
       .seconds = 9.0,
-      .time_limit = 300.0,
       .run = run};
 }
 

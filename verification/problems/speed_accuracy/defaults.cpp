@@ -265,7 +265,6 @@ Case definition() {
                  {"rules_of_1993", "fences by the 1993 rules", "fences_balance"}},
       .seconds = 11.0,
       .full_seconds = 26.0,
-      .time_limit = 120.0,
       .run = run};
 }
 

@@ -419,7 +419,6 @@ Case definition() {
                       "cheapest to 1e-6, stormer_cowell: evaluations of the next over its, pinned column"}},
           .seconds = 4.0,
           .full_seconds = 59.0,
-          .time_limit = 600.0,
           .run = run};
 }
 

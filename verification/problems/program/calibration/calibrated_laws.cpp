@@ -210,7 +210,6 @@ Case definition() {
                      {"mean_dashpot", "mean of the exact dashpots in place of the minimax one", minimax}},
           .seconds = 20.0,
           .full_seconds = 80.0,
-          .time_limit = 240.0,
           .run = run};
 }
 

@@ -410,7 +410,6 @@ Case definition() {
                       "table: angles and speeds, largest deviation"}},
           .seconds = 25.0,
           .full_seconds = 90.0,
-          .time_limit = 240.0,
           .run = run};
 }
 

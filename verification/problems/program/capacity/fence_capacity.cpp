@@ -542,7 +542,6 @@ Case definition() {
                      {"normal_interval", "p +- 1.96 sqrt(p (1 - p)/n) in place of Wilson's interval", coverage},
                      {"other_line", "the map's probability is shifted by six cells", maps}},
           .seconds = 12.0,
-          .time_limit = 240.0,
           .run = run};
 }
 
