@@ -16,12 +16,10 @@
 /// What scripts do with runs that are advanced: ScriptSimulation, ScriptCellRun.
 namespace talus::python {
 
-/// Advances a run by this many steps or intervals, without the interpreter's lock; Ctrl-C raises KeyboardInterrupt.
-/// Returns whether some are left. Errors: InputError naming the argument.
+/// Advances a run by this many steps or intervals, without the interpreter's lock, unless one of the signals raises.
+/// Returns whether some are left.
 template <class Run>
-bool advance(Run& run, long count, const char* argument) {
-  if (count < 0) throw InputError{fmt::format("{}: found {}; it must be >= 0", argument, count)};
-  PythonSignals signals;
+bool advance(Run& run, long count, PythonSignals& signals) {
   bool continues = false;
   {
     // Before the lock is free for another thread, to which the run would seem idle.
@@ -33,6 +31,14 @@ bool advance(Run& run, long count, const char* argument) {
   return continues;
 }
 
+/// The same; Ctrl-C raises KeyboardInterrupt. Errors: InputError naming the argument.
+template <class Run>
+bool advance(Run& run, long count, const char* argument) {
+  if (count < 0) throw InputError{fmt::format("{}: found {}; it must be >= 0", argument, count)};
+  PythonSignals signals;
+  return advance(run, count, signals);
+}
+
 /// Advances the run `self` to its end, and calls back after each `every` steps or intervals and at the end; a callback
 /// that returns something false but None stops it.
 template <class Run>
@@ -40,8 +46,10 @@ void run_to_end(const pybind11::object& self, const pybind11::object& callback, 
   if (every < 1) throw InputError{fmt::format("every: found {}; it must be >= 1", every)};
   auto& run = pybind11::cast<Run&>(self);
   if (callback.is_none()) return static_cast<void>(advance(run, std::numeric_limits<long>::max(), "every"));
+  // One for all steps: it takes longer than a step.
+  PythonSignals signals;
   while (!run.has_ended()) {
-    advance(run, every, "every");
+    advance(run, every, signals);
     const pybind11::object answer = callback(self);
     if (answer.is_none()) continue;
     const int is_true = PyObject_IsTrue(answer.ptr());
