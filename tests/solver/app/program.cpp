@@ -51,6 +51,8 @@ StartedProgram::~StartedProgram() = default;
 
 void StartedProgram::send(int signal) const { BOOST_REQUIRE(::kill(child_->process.id(), signal) == 0); }
 
+bool StartedProgram::is_running() { return child_->process.running(); }
+
 int StartedProgram::wait() {
   child_->process.wait();
   return child_->process.native_exit_code();

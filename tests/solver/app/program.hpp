@@ -39,6 +39,7 @@ class StartedProgram {
   StartedProgram& operator=(const StartedProgram&) = delete;
 
   void send(int signal) const;
+  bool is_running();
   int wait();       ///< exit status as given by waitpid
   int exit_code();  ///< waits; the test fails if a signal ended it
 

@@ -1,8 +1,10 @@
 #include <csignal>
 
+#include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <chrono>
 #include <cstdlib>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <thread>
 
@@ -15,14 +17,21 @@ BOOST_AUTO_TEST_SUITE(sweep_tests)
 
 namespace {
 
-/// Plans a sweep of one run of an hour.
-void plan_long(const Folder& folder, const std::string& out) {
+/// Plans a sweep of short runs, and after them one of an hour for each of `threads`.
+void plan_long(const Folder& folder, const std::string& out, std::size_t short_runs = 0, int threads = 1) {
+  std::string steps;
+  for (std::size_t i = 0; i < short_runs; ++i)
+    steps += "\"0.1 ms\", ";
+  for (int i = 0; i < threads; ++i)
+    steps += "\"1e-10 s\", ";
   const std::string file =
       folder
-          .file("long.toml",
-                "base = \"" + scene("two_cable.toml") +
-                    "\"\noutputs = [\"particle.x.max\"]\n[[axis]]\nfield = \"run.step\"\nvalues = [\"1e-10 "
-                    "s\"]\n[[axis]]\nfield = \"run.integrator\"\nvalues = [\"velocity_verlet\"]\n")
+          .file("long.toml", "base = \"" + scene("two_cable.toml") +
+                                 "\"\noutputs = [\"particle.x.max\"]\n[[axis]]\nfield = \"run.step\"\n"
+                                 "values = [" +
+                                 steps +
+                                 "]\n[[axis]]\nfield = \"run.integrator\"\nvalues = "
+                                 "[\"velocity_verlet\"]\n")
           .string();
   BOOST_REQUIRE(talus_ran({"sweep", "plan", file, "--out", out}).code == 0);
 }
@@ -31,6 +40,26 @@ void plan_long(const Folder& folder, const std::string& out) {
 void wait_for_start(const std::string& out) {
   while (fs::is_empty(out + "/results"))
     std::this_thread::sleep_for(std::chrono::milliseconds{5});
+}
+
+/// Number of the runs that are done.
+std::size_t done(const std::string& out) {
+  const auto status = nlohmann::json::parse(talus_ran({"sweep", "status", out, "--json"}).out);
+  return status.at("runs").get<std::size_t>() - status.at("missing").get<std::size_t>();
+}
+
+/// Waits until the folder has `count` results. Returns whether it has before the program ended, and within a minute.
+bool wait_for_results(StartedProgram& program, const std::string& out, std::size_t count) {
+  const auto start = std::chrono::steady_clock::now();
+  for (bool runs = true; runs && std::chrono::steady_clock::now() - start < std::chrono::minutes{1};) {
+    runs = program.is_running();
+    std::size_t lines = 0;
+    for (const auto& [name, text] : files(out + "/results"))
+      lines += static_cast<std::size_t>(std::ranges::count(text, '\n'));
+    if (lines >= count) return runs;
+    std::this_thread::sleep_for(std::chrono::milliseconds{1});
+  }
+  return false;
 }
 
 constexpr int run_count = 120;
@@ -62,21 +91,38 @@ std::string collected(const std::string& out) {
 BOOST_AUTO_TEST_CASE(a_sweep_that_is_killed_continues_to_the_same_bytes) {
   const Folder folder;
   const std::string whole = planned(folder, "whole"), cut = planned(folder, "cut");
-  const auto start = std::chrono::steady_clock::now();
   BOOST_REQUIRE(talus_ran({"sweep", "run", whole, "--threads", "2"}).code == 0);
-  const auto duration = std::chrono::steady_clock::now() - start;
-  int killed = 0;
-  for (const double fraction : {0.15, 0.3, 0.1, 0.2}) {
+  std::size_t results = 0;
+  for (int kill = 0; kill < 4; ++kill) {
     StartedProgram program{TALUS_EXECUTABLE, {"sweep", "run", cut, "--threads", "2"}};
-    std::this_thread::sleep_for(duration * fraction);
+    // Results are in the folder while it runs, and remain.
+    BOOST_TEST_REQUIRE(wait_for_results(program, cut, results + 1), "killed " << kill << " times");
     program.send(SIGKILL);
-    killed += WIFSIGNALED(program.wait()) ? 1 : 0;
+    program.wait();
+    const std::size_t kept = done(cut);
+    BOOST_TEST(kept > results);
+    results = kept;
   }
-  BOOST_TEST(killed >= 1);
+  BOOST_TEST(results < run_count);
   const Ended last = talus_ran({"sweep", "run", cut});
   BOOST_TEST(last.code == 0, last.err);
   BOOST_TEST(last.out == "120 of 120 runs done: 120 finished\n");
   BOOST_TEST((collected(cut) == collected(whole)));
+}
+
+BOOST_AUTO_TEST_CASE(a_signal_loses_the_runs_in_flight_alone) {
+  const Folder folder;
+  constexpr std::size_t short_runs = 41;
+  for (const int signal : {SIGINT, SIGTERM, SIGKILL}) {
+    const std::string out = (folder.path / std::to_string(signal)).string();
+    plan_long(folder, out, short_runs, 2);
+    StartedProgram program{TALUS_EXECUTABLE, {"sweep", "run", out, "--threads", "2"}};
+    // All others are done as soon as both threads have a long run.
+    BOOST_TEST_REQUIRE(wait_for_results(program, out, short_runs));
+    program.send(signal);
+    program.wait();
+    BOOST_TEST(done(out) == short_runs);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(a_signal_ends_it_without_the_runs_in_flight) {
