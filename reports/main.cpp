@@ -51,7 +51,7 @@ void describe(CLI::App& app, Options& options) {
       ->delimiter(',')
       ->check(CLI::IsMember({"ps", "pdf", "svg", "png"}));
   app.add_option("--jobs", options.jobs, "processes at a time; default the number of cores")
-      ->check(CLI::Range(1U, 1024U));
+      ->check(talus::whole_between(1, 1024));
 }
 
 /// Writes to stderr after flushing stdout: both streams may go to one file.

@@ -87,18 +87,28 @@ void drain(Pipe& out, Pipe& err, Finished& finished, pid_t child, const std::fun
   }
 }
 
-/// Debian packages of the programs needed for reports and pictures.
-const std::map<std::string, std::string> packages{
-    {"gnuplot", "gnuplot-nox"}, {"pandoc", "pandoc"}, {"pdflatex", "texlive-latex-recommended and lmodern"}};
+/// A program with its Debian packages, and the part of scripts/setup that installs them.
+struct ProgramPackages {
+  std::string packages;
+  std::string setup{"scripts/setup installs what reports and pictures need"};
+};
+
+const std::map<std::string, ProgramPackages> programs{
+    {"gnuplot", {"gnuplot-nox"}},
+    {"pandoc", {"pandoc"}},
+    {"pdflatex", {"texlive-latex-recommended and lmodern"}},
+    {"parallel", {"parallel", "scripts/setup --engines installs it"}},
+    {"sbatch", {"slurm-client", "scripts/setup --engines installs it with a Slurm of one node"}}};
 
 OutputError cannot_start(const std::string& program, int failure) {
-  const auto package = packages.find(program);
-  const std::string debian = package == packages.end() ? "" : " Debian's packages: " + package->second + ";";
-  return OutputError(fmt::format("{}: cannot be started: {}{}", program, std::strerror(failure),
-                                 failure != ENOENT ? ""
-                                                   : fmt::format(" (is it installed?{} scripts/setup installs what "
-                                                                 "reports and pictures need)",
-                                                                 debian)));
+  std::string cure;
+  if (failure == ENOENT) {
+    const auto known = programs.find(program);
+    const ProgramPackages of = known == programs.end() ? ProgramPackages{} : known->second;
+    cure = fmt::format(" (is it installed?{} {})", of.packages.empty() ? "" : " Debian's packages: " + of.packages + ";",
+                       of.setup);
+  }
+  return OutputError(fmt::format("{}: cannot be started: {}{}", program, std::strerror(failure), cure));
 }
 
 pid_t start(const Command& command, Pipe& out, Pipe& err) {

@@ -11,6 +11,7 @@
 #include "solver/app/interruption.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/progress.hpp"
+#include "solver/command_line/usage_error.hpp"
 #include "solver/io/fence_file.hpp"
 #include "solver/io/file/atomic_file.hpp"
 #include "solver/io/file/folder_lock.hpp"
@@ -102,7 +103,7 @@ Command add_capacity(CLI::App& talus, const DrawingSink& sink) {
   app->add_option("--out", options->folder,
                   "folder of the results; default: the name of FILE without .toml, in the present folder");
   app->add_option("--threads", options->threads, "default: all; results do not depend on it")
-      ->check(CLI::Range(1U, 1024U));
+      ->check(whole_between(1, 1024));
   app->add_flag("--json", options->json, "print JSON");
   CLI::Option* const no_plots = app->add_flag("!--no-plots", options->draws, "draw no figures");
   app->add_flag("--sheet", options->sheet, "also a page to print: capacity.pdf and capacity.html")->excludes(no_plots);

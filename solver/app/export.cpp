@@ -9,6 +9,7 @@
 
 #include "solver/app/command.hpp"
 #include "solver/base/error.hpp"
+#include "solver/command_line/usage_error.hpp"
 #include "solver/io/cell/lammps.hpp"
 #include "solver/io/cell/read_cell.hpp"
 
@@ -96,7 +97,7 @@ Command add_export(CLI::App& talus) {
       ->required();
   app->add_option("--out", options->folder, "folder for discs.data and in.discs")->required();
   app->add_option("--steps", options->steps, "that it is to take, of the scene's length; default: to the scene's end")
-      ->check(CLI::Range(0L, 1'000'000'000L));
+      ->check(whole_between(0, 1'000'000'000));
   app->add_flag("--dashpot", options->dashpot,
                 "a spring and dashpot of the same restitution for a spring that latches");
   app->footer(

@@ -13,6 +13,7 @@
 #include "solver/app/interruption.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/progress.hpp"
+#include "solver/command_line/usage_error.hpp"
 #include "solver/io/fence_file.hpp"
 #include "solver/io/file/atomic_file.hpp"
 #include "solver/io/file/folder_lock.hpp"
@@ -88,7 +89,7 @@ Command add_fit(CLI::App& talus, const DrawingSink& sink) {
   app->add_option("FILE", options->file, "the fit (.toml): scene, data, inputs, quantities, parameters")->required();
   app->add_option("--out", options->folder, "folder for fit.json, fit.csv, bootstrap.csv and figures");
   app->add_option("--threads", options->threads, "default: all; results do not depend on it")
-      ->check(CLI::Range(1U, 1024U));
+      ->check(whole_between(1, 1024));
   app->add_flag("--json", options->json, "print JSON");
   app->add_flag("!--no-plots", options->draws, "draw no figures");
   app->footer(

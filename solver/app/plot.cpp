@@ -6,6 +6,7 @@
 
 #include "solver/app/command.hpp"
 #include "solver/base/error.hpp"
+#include "solver/command_line/usage_error.hpp"
 #include "solver/draw/curve_choice.hpp"
 #include "solver/draw/history_plot.hpp"
 #include "solver/draw/run_figures.hpp"
@@ -74,14 +75,14 @@ Command add_plot(CLI::App& talus, const DrawingSink& sink) {
   app->add_option("--x", wish.abscissa, "abscissa, named as a history is; default time");
   app->add_option("--until", wish.until, "last time drawn, e.g. \"0.1 s\"");
   app->add_flag("--apart", wish.apart, "a panel for each history; else for each unit");
-  app->add_option("--columns", wish.columns, "panels side by side")->check(CLI::Range(1, 6));
+  app->add_option("--columns", wish.columns, "panels side by side")->check(whole_between(1, 6));
   app->add_option("--x-limits", options->x_limits, "window: the abscissa's ends, in its unit")->expected(2);
   app->add_option("--y-limits", options->y_limits, "window: the ordinate's ends, in its unit")->expected(2);
   app->add_option("--x-title", wish.x_title, "words at the abscissa");
   app->add_option("--y-title", wish.y_title, "words at the ordinate");
   app->add_option("--divisions", wish.divisions, "parts of the grid in x and in y")
       ->expected(2)
-      ->check(CLI::Range(1, 100));
+      ->check(whole_between(1, 100));
   app->add_flag("--no-grid", wish.no_grid, "no grid");
   app->add_flag("--list", options->list, "print what can be drawn, and of which elements");
   add_format_option(*app, wish.picture);

@@ -14,6 +14,7 @@
 #include "solver/app/scene_request.hpp"
 #include "solver/command_line/completion.hpp"
 #include "solver/command_line/shell_word.hpp"
+#include "solver/command_line/usage_error.hpp"
 #include "solver/draw/drawing.hpp"
 #include "solver/io/output/write_summary.hpp"
 #include "solver/stability/step_advice.hpp"
@@ -163,7 +164,7 @@ Command add_run(CLI::App& talus) {
   app->add_option("--tolerance", options->tolerance, "step control of that integrator, a pure number, e.g. 1e-9");
   app->add_option("--frames", options->frames,
                   "states of the geometry, evenly over the run; default: a fence's every nprint steps, else 100")
-      ->check(CLI::Range(1L, 100'000L));
+      ->check(whole_between(1, 100'000));
   app->footer(
       "Examples:\n"
       "  talus run cases/two_cable.toml --out out\n"

@@ -11,6 +11,7 @@
 
 #include "solver/app/command.hpp"
 #include "solver/base/error.hpp"
+#include "solver/command_line/usage_error.hpp"
 #include "solver/draw/drawing.hpp"
 #include "solver/draw/drawn_states.hpp"
 
@@ -162,7 +163,7 @@ Command add_snapshot(CLI::App& talus, const DrawingSink& sink) {
                                      "times, e.g. \"0 s,50 ms\"; the nearest state is drawn, and its time printed")
                          ->delimiter(',');
   app->add_option("--count", options->count, "number of states, evenly over the run; default 9")
-      ->check(CLI::Range(1, 60))
+      ->check(whole_between(1, 60))
       ->excludes(times);
   app->add_option("--view", options->view, "side (x, y), along (z, y: the fence from the front) or both; default side")
       ->check(CLI::IsMember({"side", "along", "both"}));
@@ -171,11 +172,11 @@ Command add_snapshot(CLI::App& talus, const DrawingSink& sink) {
   app->add_flag("--numbers", options->numbers, "numbers of elements or discs");
   app->add_option("--divisions", options->divisions, "parts of the grid in x and in y")
       ->expected(2)
-      ->check(CLI::Range(1, 100));
+      ->check(whole_between(1, 100));
   add_colour_option(*app, options->picture);
   app->add_flag("--no-grid", options->no_grid, "no grid");
   app->add_flag("--single", options->single, "a picture for each state instead of one page of them");
-  app->add_option("--columns", options->columns, "states side by side")->check(CLI::Range(1, 12));
+  app->add_option("--columns", options->columns, "states side by side")->check(whole_between(1, 12));
   add_format_option(*app, options->picture);
   add_picture_options(*app, options->picture);
   app->footer(

@@ -11,6 +11,7 @@
 
 #include "solver/app/command.hpp"
 #include "solver/base/progress.hpp"
+#include "solver/command_line/usage_error.hpp"
 #include "solver/io/file/atomic_file.hpp"
 #include "solver/io/file/folder_lock.hpp"
 #include "solver/io/output/write_study.hpp"
@@ -65,9 +66,9 @@ Command add_study(CLI::App& talus) {
       ->check(CLI::IsMember({"shear"}));
   app->add_option("--time", options->plan.time, "of each run, in seconds of flow; default 0.8")
       ->check(number_between(0.01, 1000.0));
-  app->add_option("--seeds", options->plan.seeds, "runs of each point; default 5")->check(CLI::Range(2, 1000));
+  app->add_option("--seeds", options->plan.seeds, "runs of each point; default 5")->check(whole_between(2, 1000));
   app->add_option("--threads", options->plan.threads, "default: all; the numbers do not depend on it")
-      ->check(CLI::Range(1U, 1024U));
+      ->check(whole_between(1, 1024));
   app->add_option("--out", options->folder, "folder for shear_study.csv, every run of it");
   app->footer(
       "The default, 110 runs of 0.8 s, takes about three minutes of processor time, divided among the threads.\n"

@@ -28,6 +28,7 @@
 #include "solver/base/progress.hpp"
 #include "solver/command_line/completion.hpp"
 #include "solver/command_line/shell_word.hpp"
+#include "solver/command_line/usage_error.hpp"
 #include "solver/io/fence_file.hpp"
 #include "solver/io/file/atomic_file.hpp"
 #include "solver/io/file/folder_lock.hpp"
@@ -462,7 +463,7 @@ Command add_sweep(CLI::App& talus) {
   add_folder(*run_app, *options);
   run_app->add_option("--shard", options->shard, "I/N: only part I of N equal parts, e.g. on one of N machines");
   run_app->add_option("--threads", options->threads, "default: all; results do not depend on it")
-      ->check(CLI::Range(1U, 1024U));
+      ->check(whole_between(1, 1024));
   CLI::App* const status_app = app->add_subcommand("status", "Count the runs that are done, failed and missing");
   add_folder(*status_app, *options);
   status_app->add_flag("--json", options->json, "print JSON");
@@ -475,7 +476,7 @@ Command add_sweep(CLI::App& talus) {
   submit_app
       ->add_option("--parts", options->parts,
                    "number of processes with one thread each; default: one for each thread of this machine")
-      ->check(CLI::Range(std::size_t{1}, std::size_t{100000}));
+      ->check(whole_between(1, 100000));
   submit_app->add_option("--hosts", options->hosts, "of parallel: file with a host for ssh on each line");
   submit_app
       ->add_option("--option", options->engine_options,
@@ -494,7 +495,7 @@ Command add_sweep(CLI::App& talus) {
       ->required();
   evaluate_app->add_option("RESULTS", options->results, "file for the outputs, or FAIL and a reason")->required();
   evaluate_app->add_option("--threads", options->threads, "of a batch; default: all; results do not depend on it")
-      ->check(CLI::Range(1U, 1024U));
+      ->check(whole_between(1, 1024));
   return {app, [=] {
             if (plan_app->parsed()) return plan(*options);
             if (evaluate_app->parsed()) return evaluate(*options);

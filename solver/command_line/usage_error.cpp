@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <charconv>
 #include <cstdio>
 #include <vector>
 
@@ -12,8 +13,10 @@
 namespace talus {
 namespace {
 
-std::string full_name(const CLI::App& program, const CLI::App& command) {
-  return &program == &command ? program.get_name() : program.get_name() + " " + command.get_name();
+/// "talus sweep run", of active_command().
+std::string full_name(const CLI::App& program) {
+  const auto parsed = program.get_subcommands();
+  return program.get_name() + (parsed.empty() ? "" : " " + full_name(*parsed.front()));
 }
 
 std::vector<std::string> option_names(const CLI::App& app) {
@@ -60,13 +63,24 @@ void refuse_empty_values(CLI::App& app) {
       });
 }
 
+CLI::Validator whole_between(std::int64_t minimum, std::int64_t maximum) {
+  return {[=](const std::string& value) {
+            std::int64_t number = 0;
+            const auto [end, failure] = std::from_chars(value.data(), value.data() + value.size(), number);
+            const bool is_whole = failure == std::errc{} && end == value.data() + value.size();
+            if (is_whole && number >= minimum && number <= maximum) return std::string{};
+            return fmt::format("found {}; it must be a whole number between {} and {}", value, minimum, maximum);
+          },
+          fmt::format("in [{}, {}]", minimum, maximum)};
+}
+
 const CLI::App& active_command(const CLI::App& program) {
   const auto parsed = program.get_subcommands();
-  return parsed.empty() ? program : *parsed.front();
+  return parsed.empty() ? program : active_command(*parsed.front());
 }
 
 std::string usage_error(const CLI::App& program, const CLI::ParseError& error) {
-  return fmt::format("{}\nhelp: {} --help", message(program, error), full_name(program, active_command(program)));
+  return fmt::format("{}\nhelp: {} --help", message(program, error), full_name(program));
 }
 
 bool print_usage_error(const CLI::App& program, const CLI::ParseError& error) {

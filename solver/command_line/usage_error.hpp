@@ -1,10 +1,12 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 namespace CLI {
 class App;
 class ParseError;
+class Validator;
 }  // namespace CLI
 
 namespace talus {
@@ -13,7 +15,11 @@ namespace talus {
 /// a meaning for them.
 void refuse_empty_values(CLI::App& app);
 
-/// The subcommand that was given on the command line, or the program if none was recognised.
+/// Validator of an option: a whole number in [minimum, maximum]. In place of CLI::Range, whose message does not say
+/// what is wrong with a text.
+[[nodiscard]] CLI::Validator whole_between(std::int64_t minimum, std::int64_t maximum);
+
+/// The innermost subcommand that was given on the command line, or the program if none was recognised.
 [[nodiscard]] const CLI::App& active_command(const CLI::App& program);
 
 /// Message about a command line that CLI11 rejected, in the form of other messages: an unknown option or command with

@@ -116,9 +116,9 @@ void describe(CLI::App& program, ServeOptions& options) {
   program.add_option("--host", options.host,
                      "address to listen on; default 127.0.0.1, for this machine alone. There is no authentication: "
                      "give others only in a network that you trust");
-  program.add_option("--port", options.port, "default 4242; 0: one that is free")->check(CLI::Range(0, 65535));
+  program.add_option("--port", options.port, "default 4242; 0: one that is free")->check(whole_between(0, 65535));
   program.add_option("--threads", options.threads, "number of runs at a time; default: all threads")
-      ->check(CLI::Range(1U, 1024U));
+      ->check(whole_between(1, 1024));
   program.set_version_flag("--version", version_text("talus_serve"));
   program.footer(
       "Example:\n"
