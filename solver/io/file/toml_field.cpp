@@ -43,17 +43,20 @@ std::vector<std::string> keys_of(const TomlTable& table) {
 /// Tables that a file may leave out with all their fields.
 constexpr std::array<std::string_view, 2> optional_tables{"options", "watch"};
 
-/// The table of a list that has this name.
-TomlValue& named(TomlArray& list, const std::string& name, std::string_view path) {
+/// The table of the list `key` that has this name.
+TomlValue& named(TomlArray& list, const std::string& key, const std::string& name, std::string_view path) {
   std::vector<std::string> names;
   for (TomlValue& element : list) {
     TomlTable* const table = std::get_if<TomlTable>(&element.data);
     if (table == nullptr) continue;
     const TomlEntry* const entry = entry_of(*table, "name");
     const std::string* const text = entry == nullptr ? nullptr : std::get_if<std::string>(&entry->value.data);
-    names.push_back(text == nullptr ? std::string{} : *text);
-    if (names.back() == name) return element;
+    if (text == nullptr) continue;
+    names.push_back(*text);
+    if (*text == name) return element;
   }
+  if (names.empty())
+    throw InputError{fmt::format("'{0}': '{1}' is a list without names; give an index, {1}[0]", path, key)};
   throw InputError{fmt::format("'{}': {}", path, unknown_name("name", name, names).what())};
 }
 
@@ -86,7 +89,7 @@ TomlValue& field_at(TomlValue& document, std::string_view path) {
     const FieldKey& key = keys[i];
     const bool is_last = i + 1 == keys.size();
     if (TomlArray* const list = std::get_if<TomlArray>(&at->data)) {
-      at = &named(*list, key.key, path);
+      at = &named(*list, keys[i - 1].key, key.key, path);
       if (is_last || key.index) throw InputError{fmt::format("'{}': it must end with a field of '{}'", path, key.key)};
       continue;
     }

@@ -84,6 +84,8 @@ BOOST_AUTO_TEST_CASE(wrong_paths_are_refused) {
   refused("gravity[2]", "'gravity' has no element [2]; give one of its 2 elements");
   refused("gravity[0].x", "nothing can be below 'gravity'");
   refused("fence.rock[0]", "found a table; it must be a value");
+  refused("fence.rock.a", "'fence.rock.a': 'rock' is a list without names; give an index, rock[0]");
+  refused("gravity.x", "'gravity' is a list without names; give an index, gravity[0]");
 }
 
 BOOST_AUTO_TEST_SUITE_END()
