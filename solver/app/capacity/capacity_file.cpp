@@ -19,34 +19,24 @@ constexpr double normal_95 = 1.6448536269514722, normal_99 = 2.3263478740408408;
 
 /// Two positive quantities, the first less than the second.
 std::array<double, 2> ends_of(SceneTable& table, std::string_view key, Dimension dimension) {
-  std::array<double, 2> ends{1.0, 2.0};
-  table.guard([&] {
-    const std::vector<double> read = table.quantities(key, dimension, 2, 2);
-    const TomlValue* const value = table.value(key);
-    const auto* const array = value == nullptr ? nullptr : std::get_if<TomlArray>(&value->data);
-    if (array == nullptr || array->size() != 2) return;  // reported
-    if (!(read[0] > 0.0 && read[0] < read[1]))
-      table.fail(key, fmt::format("found {}; both must be > 0, the first less than the second", found(*value)));
-    ends = {read[0], read[1]};
-  });
-  return ends;
+  const auto ends = table.two_quantities(key, dimension);
+  if (ends && !((*ends)[0] > 0.0 && (*ends)[0] < (*ends)[1])) {
+    table.report(key,
+                 fmt::format("found {}; both must be > 0, the first less than the second", found(*table.value(key))));
+  }
+  return ends.value_or(std::array{1.0, 2.0});
 }
 
 /// Two ends, the first at most the second, or one quantity that is both; nothing if the key is missing.
 std::optional<std::array<double, 2>> range_of(SceneTable& table, std::string_view key, Dimension dimension) {
   if (!table.has(key)) return {};
-  std::array<double, 2> ends{};
   if (table.is_text(key)) {
-    ends.fill(table.quantity(key, dimension));
-    return ends;
+    const double both = table.quantity(key, dimension);
+    return std::array{both, both};
   }
-  table.guard([&] {
-    const std::vector<double> read = table.quantities(key, dimension, 2, 2);
-    if (read.size() != 2) return;  // reported
-    if (!(read[0] <= read[1]))
-      table.fail(key, fmt::format("found {}; the first must be at most the second", found(*table.value(key))));
-    ends = {read[0], read[1]};
-  });
+  const auto ends = table.two_quantities(key, dimension);
+  if (ends && !((*ends)[0] <= (*ends)[1]))
+    table.report(key, fmt::format("found {}; the first must be at most the second", found(*table.value(key))));
   return ends;
 }
 
@@ -89,9 +79,10 @@ RockNumber read_number(SceneTable& table, std::string_view key, Dimension dimens
   table.guard([&] {
     SceneTable percentiles = table.table(key);
     percentiles.allow({"p95", "p99"});
+    const std::size_t errors = table.source().errors();
     number = {percentiles.quantity("p95", dimension, Range::positive),
               percentiles.quantity("p99", dimension, Range::positive)};
-    if (!(number.p95 <= number.p99))
+    if (table.source().errors() == errors && !(number.p95 <= number.p99))
       percentiles.fail("p99",
                        fmt::format("found {0} {2}, less than the percentile of 95 %, {1} {2}; it must be at least that",
                                    number.p99, number.p95, symbol(si, dimension)));
@@ -144,7 +135,7 @@ RockHazard read_hazard(SceneTable table, const fs::path& folder) {
     constexpr const char* reason = "the rows of the table give it";
     for (const char* other : {"mass", "speed", "height"})
       table.refuse(other, reason);
-    read_rocks(table, folder / table.text("table"), hazard);
+    read_rocks(table, folder / table.file_name("table"), hazard);
     if (hazard.table_has_spin) table.refuse("spin", reason);
     if (hazard.table_has_along) table.refuse("along", reason);
     return hazard;
@@ -175,7 +166,7 @@ CapacityFile read_capacity(std::string_view text, const fs::path& name) {
     file.allow({"title", "base", "mass", "speed", "height", "spin", "along", "set", "map", "changes", "seed", "hazard",
                 "limits"});
     made.title = file.title();
-    made.base = folder / file.text("base");
+    made.base = folder / file.file_name("base");
     made.mass = ends_of(file, "mass", dimension::mass);
     made.speed = ends_of(file, "speed", dimension::velocity);
     if (file.has("height")) made.heights = file.quantities_or_one("height", dimension::length, Range::positive);

@@ -83,8 +83,10 @@ FitQuantity read_quantity(SceneTable& table, const records::Csv& data) {
   if (const TomlValue* const uncertainty = table.value("uncertainty")) {
     const WrittenNumber written = number_of(table, "uncertainty", *uncertainty);
     if (written.unit != quantity.unit || !(written.value > 0.0)) {
-      table.fail("uncertainty", fmt::format("found {}; it must be > 0, in the unit of the column, {}",
-                                            found(*uncertainty), quantity.unit.empty() ? "none" : quantity.unit));
+      table.fail("uncertainty",
+                 fmt::format("found {}; it must be > 0, {}", found(*uncertainty),
+                             quantity.unit.empty() ? "a pure number as the column"
+                                                   : fmt::format("in the unit of the column, {}", quantity.unit)));
     }
     quantity.uncertainty = written.value;
   }
@@ -116,7 +118,7 @@ FittedField read_parameter(SceneTable& table) {
     const WrittenNumber written = number_of(table, "start", *start);
     if (written.unit != fitted.unit || !(written.value >= lower.value && written.value <= upper.value))
       table.fail("start", fmt::format("found {}; it must be within {}, in its unit", found(*start), found(*range)));
-    parameter.start = written.value;
+    parameter.start = written.value, fitted.has_start = true;
   }
   return fitted;
 }
@@ -163,8 +165,8 @@ FitFile read_fit(std::string_view text, const fs::path& name) {
   try {
     file.allow({"title", "scene", "data", "input", "quantity", "parameter", "bootstrap", "limits"});
     made.title = file.title();
-    made.scene = folder / file.text("scene");
-    made.data = folder / file.text("data");
+    made.scene = folder / file.file_name("scene");
+    made.data = folder / file.file_name("data");
     const records::Csv data = records::read_csv(made.data);
     made.rows = data.rows();
     if (made.rows == 0)

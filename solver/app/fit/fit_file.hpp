@@ -38,6 +38,7 @@ struct FittedField {
   std::string where;  ///< file, line and table, for errors
   std::string field;
   std::string unit;        ///< of the bounds; empty: a pure number
+  bool has_start{};        ///< the start is given: otherwise the middle of the range
   FitParameter parameter;  ///< in this unit
 };
 

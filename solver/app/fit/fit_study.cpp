@@ -81,17 +81,15 @@ void FitStudy::check_first_row() const {
   try {
     static_cast<void>(base_.end(first));
   } catch (const InputError& error) {
-    // The field that has the same error alone; of several that only together are wrong, the file.
-    const auto has_it = [&](std::size_t i) {
-      try {
-        static_cast<void>(base_.end({{}, {first.parameters[i]}}));
-      } catch (const InputError& alone) {
-        return std::string_view{alone.what()} == error.what();
-      }
-      return false;
-    };
-    for (std::size_t i = 0; i < locations.size(); ++i)
-      if (has_it(i)) throw InputError{fmt::format("{}: field: {}", locations[i], error.what())};
+    // Of several values that only together are wrong, the file.
+    if (const auto wrong = base_.refused_parameter(first, error.what())) {
+      const std::size_t inputs = file_->inputs.size();
+      const std::string value = *wrong < inputs                                ? "column: its first value"
+                                : file_->parameters[*wrong - inputs].has_start ? "start"
+                                                                               : "range: its middle";
+      throw InputError{fmt::format("{}: {}, {}: {}", locations[*wrong], value, found(first.parameters[*wrong].second),
+                                   error.what())};
+    }
     throw InputError{fmt::format("{}: the first row of the data with the parameters at their start: {}",
                                  file_->file.string(), error.what())};
   }

@@ -82,6 +82,17 @@ double SweepBase::end(const SweptRun& run) const {
   return std::visit([&](const auto& of) { return of.end(run); }, swept_);
 }
 
+std::optional<std::size_t> SweepBase::refused_parameter(const SweptRun& run, std::string_view reason) const {
+  for (std::size_t i = 0; i < run.parameters.size(); ++i) {
+    try {
+      static_cast<void>(end({{}, {run.parameters[i]}}));
+    } catch (const InputError& alone) {
+      if (alone.what() == reason) return i;
+    }
+  }
+  return {};
+}
+
 SweepResult SweepBase::result(const SweptRun& run, const SweepLimits& limits,
                               const std::function<bool()>& interrupted) const {
   return std::visit([&](const auto& of) { return of.result(run, limits, interrupted); }, swept_);

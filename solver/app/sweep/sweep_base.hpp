@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -34,6 +35,9 @@ class SweepBase {
 
   /// Time at which a run is planned to end [T]. Errors: InputError for a wrong field or value.
   [[nodiscard]] double end(const SweptRun& run) const;
+
+  /// The parameter of a run that alone is refused with this reason; nothing if only several together are.
+  [[nodiscard]] std::optional<std::size_t> refused_parameter(const SweptRun& run, std::string_view reason) const;
 
   /// Executes a run as `talus run` or `talus cell` does, without files. `interrupted` is called at intervals of at most
   /// 128 steps of a scene, or of half a contact of a cell; if it is true, the run has no result, and its id is empty.

@@ -126,12 +126,12 @@ TomlValue number_of_cell(const records::Csv& csv, std::size_t row, std::size_t c
 /// The columns of a CSV file that give fields, as axis of rows.
 SweepAxis read_rows(SceneTable& table, const fs::path& folder) {
   SweepAxis axis;
-  const fs::path file = folder / table.text("table");
-  SceneTable columns = table.table("columns");
+  const fs::path file = folder / table.file_name("table");
   const TomlValue* const written = table.value("columns");
   const TomlTable* const fields = written == nullptr ? nullptr : std::get_if<TomlTable>(&written->data);
   if (fields == nullptr || fields->empty())
     table.fail("columns", "it must be a table of fields with their headings, e.g. { \"run.step\" = \"step [s]\" }");
+  SceneTable columns = table.table("columns");
   try {
     const records::Csv csv = records::read_csv(file);
     axis.rows.resize(csv.rows());
@@ -353,7 +353,7 @@ SweepFile read_sweep(std::string_view text, const fs::path& name) {
   try {
     file.allow({"title", "base", "outputs", "axis", "design", "constraint", "limits"});
     sweep.title = file.title();
-    sweep.base = folder / file.text("base");
+    sweep.base = folder / file.file_name("base");
     const TomlValue* const outputs = file.value("outputs");
     if (outputs == nullptr) file.fail("outputs", "it is missing; give quantities, e.g. [\"rock.vx.end\"]");
     for (const TomlValue& output : array_of(file, "outputs", *outputs, 1, "texts, e.g. [\"rock.vx.end\"]")) {

@@ -181,6 +181,24 @@ std::vector<double> SceneTable::quantities(std::string_view key, Dimension dimen
   return result;
 }
 
+std::optional<std::array<double, 2>> SceneTable::two_quantities(std::string_view key, Dimension dimension) {
+  const TomlValue* const value = demand(key);
+  if (value == nullptr) return {};
+  const auto* const ends = std::get_if<TomlArray>(&value->data);
+  if (ends == nullptr || ends->size() != 2) {
+    report_at(value->line, key,
+              fmt::format("found {0}; it must be an array of 2 quantities, e.g. [\"1 {1}\", \"2 {1}\"]", found(*value),
+                          symbol(source_->units, dimension)));
+    return {};
+  }
+  const std::size_t errors = source_->errors();
+  std::array<double, 2> read{};
+  for (std::size_t i = 0; i < 2; ++i)
+    read[i] = quantity_of(fmt::format("{}[{}]", key, i), (*ends)[i], dimension, Range::any);
+  if (source_->errors() > errors) return {};
+  return read;
+}
+
 std::vector<double> SceneTable::quantities_or_one(std::string_view key, Dimension dimension, Range range) {
   const TomlValue* const value = demand(key);
   if (value == nullptr) return {};
@@ -294,12 +312,16 @@ std::string SceneTable::written(std::string_view key) const {
   return text != nullptr ? *text : std::string{};
 }
 
-std::string SceneTable::text(std::string_view key) {
+std::string SceneTable::text_called(std::string_view key, std::string_view what) {
   const TomlValue& value = demand_at_once(key);
   const auto* text = std::get_if<std::string>(&value.data);
   if (text != nullptr && !text->empty()) return *text;
-  fail_at(value.line, key, fmt::format("found {}; it must be a text in quotes", found(value)));
+  fail_at(value.line, key, fmt::format("found {}; it must be {}", found(value), what));
 }
+
+std::string SceneTable::text(std::string_view key) { return text_called(key, "a text in quotes"); }
+
+std::string SceneTable::file_name(std::string_view key) { return text_called(key, "the name of a file, in quotes"); }
 
 std::string SceneTable::title() {
   constexpr std::string_view key = "title";

@@ -32,6 +32,8 @@ class SceneSource {
   bool collects() const { return collects_; }
   /// Whether a table of this kind, e.g. "body", has an error that leaves its name unknown.
   bool has_nameless(std::string_view kind) const;
+  /// Number of errors collected so far: a check of several values is left out if there is one of them.
+  std::size_t errors() const { return errors_.size(); }
   /// Throws all errors collected so far, sorted by line, as one InputError with one line for each.
   void check() const;
 
@@ -89,6 +91,8 @@ class SceneTable {
   /// An array of `minimum` to `maximum` quantities of one dimension.
   [[nodiscard]] std::vector<double> quantities(std::string_view key, Dimension dimension, std::size_t minimum,
                                                std::size_t maximum);
+  /// The two ends of a range of quantities; nothing if an error of them was reported.
+  [[nodiscard]] std::optional<std::array<double, 2>> two_quantities(std::string_view key, Dimension dimension);
   /// A quantity, or a non-empty array of them.
   [[nodiscard]] std::vector<double> quantities_or_one(std::string_view key, Dimension dimension,
                                                       Range range = Range::any);
@@ -107,6 +111,8 @@ class SceneTable {
   /// An array of whole numbers.
   [[nodiscard]] std::vector<int> wholes(std::string_view key);
   [[nodiscard]] std::string text(std::string_view key);
+  /// A text that names a file.
+  [[nodiscard]] std::string file_name(std::string_view key);
   /// The text of `title`; empty if there is none.
   [[nodiscard]] std::string title();
   [[nodiscard]] std::vector<std::string> texts(std::string_view key, std::size_t count);
@@ -187,6 +193,8 @@ class SceneTable {
   const TomlValue* demand(std::string_view key);
   /// The value of a key without which the table cannot be read; throws if it is missing.
   const TomlValue& demand_at_once(std::string_view key);
+  /// A text that is not empty; messages call it `what`.
+  std::string text_called(std::string_view key, std::string_view what);
   double number_of(std::string_view key, const TomlValue& value, Range range) const;
   double quantity_of(std::string_view key, const TomlValue& value, Dimension dimension, Range range) const;
   int whole_of(std::string_view key, const TomlValue& value) const;

@@ -120,7 +120,7 @@ BOOST_AUTO_TEST_CASE(wrong_files_are_refused_by_key) {
       {head + "height = \"1 m\"\nspin = [" + spins + "]\n",
        "c.toml:4: height: with `spin` and `along` there are 101 maps; there may be at most 100"},
       {head + "[hazard]\ntable = \"good.csv\"\nalong = [\"1 m\"]\n",
-       "c.toml:6: hazard: along: found 1 components; it must have 2"},
+       "c.toml:6: hazard: along: found [\"1 m\"]; it must be an array of 2 quantities, e.g. [\"1 m\", \"2 m\"]"},
       {head + "set = 3\n", "c.toml:4: set: it must be a table of fields of the base with their values"},
       {head + "[map]\ncells = 24\nfirst_cells = 5\n",
        "c.toml:5: map: cells: found 24 cells, 5 at first; the first must be a power of two times the second"},
@@ -147,6 +147,22 @@ BOOST_AUTO_TEST_CASE(wrong_files_are_refused_by_key) {
        "c.toml:6: hazard: speed: the rows of the table give it"}};
   for (const auto& [text, expected] : wrong)
     BOOST_TEST(message(text, folder) == expected);
+}
+
+BOOST_AUTO_TEST_CASE(a_wrong_number_is_one_error) {
+  const Folder folder;
+  const std::string base = "base = \"f.toml\"\n";
+  BOOST_TEST(message(base + "mass = [600, 2400]\n" + speed, folder) ==
+             "c.toml:2: mass[0]: found 600; the unit is missing; write e.g. \"600 kg\"\n"
+             "c.toml:2: mass[1]: found 2400; the unit is missing; write e.g. \"2400 kg\"");
+  BOOST_TEST(message(base + "mass = \"1 kg\"\n" + speed, folder) ==
+             "c.toml:2: mass: found \"1 kg\"; it must be an array of 2 quantities, e.g. [\"1 kg\", \"2 kg\"]");
+  const std::string hazard = head + "[hazard]\nspeed = \"1 m/s\"\nheight = \"1 m\"\n";
+  BOOST_TEST(message(hazard + "mass = { p95 = \"2 kg\" }\n", folder) == "c.toml:7: hazard: mass: p99: it is missing");
+  BOOST_TEST(message(hazard + "mass = \"2 kg\"\nspin = [\"5 rad/s\", 3]\n", folder) ==
+             "c.toml:8: hazard: spin[1]: found 3; the unit is missing; write e.g. \"3 rad/s\"");
+  BOOST_TEST(message("base = \"\"\n" + mass + speed, folder) ==
+             "c.toml:1: base: found \"\"; it must be the name of a file, in quotes");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

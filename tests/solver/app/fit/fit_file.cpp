@@ -77,4 +77,24 @@ BOOST_AUTO_TEST_CASE(errors_of_several_tables_are_reported_together) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(an_uncertainty_has_the_unit_of_its_column) {
+  const Folder folder;
+  folder.file("d.csv", "y [mm],n\n20,1\n30,2\n");
+  const auto message = [&](const std::string& text) -> std::string {
+    try {
+      static_cast<void>(read_fit(text, folder.path / "f.toml"));
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "no error";
+  };
+  const std::string of_number = "[[quantity]]\ncolumn = \"n\"\nresult = \"b.y.end\"\n";
+  BOOST_TEST(message(head + of_number + "uncertainty = \"1 mm\"\n" + parameter)
+                 .ends_with("uncertainty: found \"1 mm\"; it must be > 0, a pure number as the column"));
+  BOOST_TEST(message(head + quantity + "uncertainty = 1.0\n" + parameter)
+                 .ends_with("uncertainty: found 1; it must be > 0, in the unit of the column, mm"));
+  BOOST_TEST(message("scene = \"s.toml\"\ndata = \"\"\n" + quantity + parameter)
+                 .ends_with("data: found \"\"; it must be the name of a file, in quotes"));
+}
+
 BOOST_AUTO_TEST_SUITE_END()
