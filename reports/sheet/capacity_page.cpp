@@ -17,7 +17,7 @@ namespace {
 using records::Json;
 using records::Node;
 
-constexpr int capacity_schema = 2;
+constexpr int capacity_schema = 3;
 
 /// Maximum rows of the table of boundaries, so that the page is one.
 constexpr std::size_t maximum_boundaries = 14;
@@ -65,6 +65,9 @@ const CapacityOutput* output_of(const CapacityRuns& of, const std::string& name)
   const auto found = std::ranges::find(of.outputs, name, &std::pair<std::string, CapacityOutput>::first);
   return found == of.outputs.end() ? nullptr : &found->second;
 }
+
+/// Whether there are runs, and all failed: they say nothing about the fence.
+bool all_failed(const CapacityRuns& of) { return of.count() > 0 && count_of(of, "failed") == of.count(); }
 
 std::string ends_text(const CapacityRuns& of) {
   std::string text = fmt::format("{} runs", of.count());
@@ -126,6 +129,10 @@ SheetTable boundary_table(const CapacityRecord& record) {
                     head("energy after", record.us_units, energy_units)},
                    {}};
   for (const CapacityMapRecord& map : record.maps) {
+    if (all_failed(map.runs)) {
+      table.rows.push_back({map_name(record, map), "", "no run finished", "", "", "", "", ""});
+      continue;
+    }
     for (const CapacityLine& line : map.boundary) {
       table.rows.push_back({map_name(record, map), both(record.us_units, line.mass, mass_units),
                             range_text(record, line.speed, speed_units), range_text(record, line.energy, energy_units),
@@ -150,17 +157,25 @@ SheetTable hazard_table(const CapacityRecord& record) {
   struct Line {
     const char *name, *label;
     const SheetUnits* units;
+    const char* force = nullptr;  ///< of which it is the margin
   };
   const std::vector<Line> lines{{"fence.anchor_force", "anchor force", &force_units},
                                 {"fence.cable_force", "cable force", &force_units},
                                 {"fence.hanger_force", "hanger force", &force_units},
-                                {"fence.cable_margin", "cable force/limit", nullptr},
-                                {"fence.hanger_margin", "hanger force/limit", nullptr},
+                                {"fence.cable_margin", "cable force/limit", nullptr, "fence.cable_force"},
+                                {"fence.hanger_margin", "hanger force/limit", nullptr, "fence.hanger_force"},
                                 {"fence.exit_energy", "energy after the last contact", &energy_units}};
   for (const Line& line : lines) {
     const CapacityOutput* const of = output_of(*record.hazard, line.name);
     if (of == nullptr) continue;
     const double unit = line.units == nullptr ? 1.0 : record.us_units ? line.units->us : line.units->si;
+    if (line.force != nullptr && of->p95 == 0.0) {
+      const CapacityOutput* const force = output_of(*record.hazard, line.force);
+      if (force != nullptr && force->p95 > 0.0) {
+        table.rows.push_back({line.label, "", "no limit", "no limit", ""});
+        continue;
+      }
+    }
     const auto number = [&](const std::optional<double>& value) { return value ? digits(*value / unit) : "unknown"; };
     table.rows.push_back(
         {line.label,
@@ -191,6 +206,8 @@ SheetTable ends_table(const CapacityRecord& record) {
 
 /// The energy up to which every mass is stopped, and from which none is.
 std::string energies_text(const CapacityRecord& record) {
+  if (std::ranges::all_of(record.maps, [](const CapacityMapRecord& map) { return all_failed(map.runs); }))
+    return "no boundary: no run finished";
   double all = std::numeric_limits<double>::infinity(), none = 0.0;
   for (const CapacityMapRecord& map : record.maps) {
     for (const CapacityLine& line : map.boundary) {
@@ -225,11 +242,15 @@ std::array<SheetBox, 2> boxes(const CapacityRecord& record) {
   if (record.hazard) {
     const CapacityRuns& hazard = *record.hazard;
     const std::size_t failures = hazard.count() - count_of(hazard, "stopped");
-    left.heading = fmt::format("Probability of failure per impact: {}",
-                               digits(static_cast<double>(failures) / static_cast<double>(hazard.count())));
-    left.colour = failures == 0 ? "green" : "amber";
-    left.facts.push_back({"95 %", fmt::format("{} to {}", digits(record.failure[0].value_or(0.0)),
-                                              digits(record.failure[1].value_or(1.0)))});
+    if (all_failed(hazard)) {
+      left.heading = "No probability of failure: no run finished";
+    } else {
+      left.heading = fmt::format("Probability of failure per impact: {}",
+                                 digits(static_cast<double>(failures) / static_cast<double>(hazard.count())));
+      left.colour = failures == 0 ? "green" : "amber";
+      left.facts.push_back({"95 %", fmt::format("{} to {}", digits(record.failure[0].value_or(0.0)),
+                                                digits(record.failure[1].value_or(1.0)))});
+    }
     left.facts.push_back({"expected rocks", ends_text(hazard)});
   }
   left.facts.push_back({"energy", energies_text(record)});
@@ -248,11 +269,16 @@ std::array<SheetBox, 2> boxes(const CapacityRecord& record) {
       fmt::format("Audit: {} of {} runs contradict the map", wrong, audited), wrong == 0 ? "green" : "amber", {}};
   if (audited == 0) right.heading = "No audit", right.colour = "amber";
   if (failed > 0) right.heading += fmt::format("; {} runs failed", failed), right.colour = "red";
-  right.facts = {{"runs", fmt::format("{}, {:.3g} % of the full grid", all,
-                                      100.0 * static_cast<double>(all) / static_cast<double>(full))},
-                 {"random", fmt::format("{}; seed {}", changes_text(record), record.seed)},
-                 {"model", "plane motion, elastic, plastic or breaking cables, columns that do not break, no net"},
-                 {"interval", "of the runs alone: it knows nothing of errors of the model"}};
+  right.facts = {
+      {"runs",
+       fmt::format("{}, {:.3g} % of the full grid", all, 100.0 * static_cast<double>(all) / static_cast<double>(full))},
+      {"random", fmt::format("{}; seed {}", changes_text(record), record.seed)},
+      {"model", fmt::format("plane motion, {} fence, elastic, plastic or breaking cables, columns that do not break, "
+                            "no net",
+                            record.is_full ? "whole" : "half")},
+      {"interval",
+       "of the runs alone: it knows nothing of errors of the model; no conformity with a standard is "
+       "claimed"}};
   return {left, right};
 }
 
@@ -274,6 +300,7 @@ CapacityRecord read_capacity_record(const fs::path& file) {
   record.title = node.at("title").text();
   record.base = node.at("base").text();
   record.us_units = node.at("scene_units").one_of({"SI", "US"}) == "US";
+  record.is_full = node.at("symmetry").one_of({"half", "full"}) == "full";
   record.mass = pair(node.at("mass")), record.speed = pair(node.at("speed"));
   for (const auto& [name, change] : node.at("changes").members())
     record.changes.emplace_back(name, change.finite());
@@ -329,8 +356,9 @@ SheetPictures capacity_pictures(const CapacityRecord& record, const fs::path& pl
       if (fs::exists(plots / (picture.name + ".svg"))) shown.push_back(picture);
   } else {
     for (std::size_t i = 0; i < std::min<std::size_t>(record.maps.size(), 4); ++i)
-      shown.push_back({fmt::format("envelope_{}", i + 1),
-                       fmt::format("Rocks that are stopped: height {}", map_name(record, record.maps[i]))});
+      if (!all_failed(record.maps[i].runs))
+        shown.push_back({fmt::format("envelope_{}", i + 1),
+                         fmt::format("Rocks that are stopped: height {}", map_name(record, record.maps[i]))});
   }
   SheetPictures pictures;
   for (const Picture& picture : shown) {

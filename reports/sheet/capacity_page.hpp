@@ -45,7 +45,7 @@ struct CapacityMapRecord {
 
 struct CapacityRecord {
   std::string title, base;
-  bool us_units{};
+  bool us_units{}, is_full{};  ///< is_full: all of the fence is modelled, and not one half
   std::array<double, 2> mass{}, speed{};
   std::vector<std::pair<std::string, double>> changes;
   long long seed{};

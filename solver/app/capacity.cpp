@@ -73,7 +73,10 @@ int capacity(const CapacityOptions& options, const DrawingSink& sink) {
   const std::string json = capacity_json(study, rocks);
   write_whole(folder.folder / "capacity.json", json);
   fmt::print("{}", options.json ? json : capacity_text(study));
-  if (!options.json) fmt::print("{0}/capacity.csv\n{0}/capacity.json\n", folder.folder.string());
+  if (!options.json) {
+    for (const char* const result : {"capacity.csv", "capacity.json"})
+      fmt::print("{}\n", (folder.folder / result).string());
+  }
   if (options.draws)
     sink({.pictures = {.figures = capacity_figures(study)},
           .target = folder.folder / "plots",

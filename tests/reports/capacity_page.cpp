@@ -38,7 +38,8 @@ std::string map(const std::string& height, const std::string& lines) {
 }
 
 std::string record(const std::string& maps, const std::string& more = "") {
-  return R"({"schema": 2, "title": "A & B_1", "units": "SI", "base": "f_1.toml", "scene_units": "US",
+  return R"({"schema": 3, "title": "A & B_1", "units": "SI", "base": "f_1.toml", "scene_units": "US",
+ "symmetry": "half",
  "mass": [453.59237, 907.18474], "speed": [0.3048, 3.048], "seed": 3,
  "changes": {"speed": 0.01, "height": 0.5, "angle": 0, "spin": 0, "along": 0}, "maps": [)" +
          maps + "]" + more + "}";
@@ -46,6 +47,13 @@ std::string record(const std::string& maps, const std::string& more = "") {
 
 const std::string hazard = R"(, "hazard": {"runs": 8, "ends": )" + ends +
                            R"(, "probability_of_failure": 0.25, "interval": [0.07, 0.6], "outputs": )" + outputs + "}";
+
+/// The text with all `what` replaced.
+std::string replaced_all(std::string text, const std::string& what, const std::string& by) {
+  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size()))
+    text.replace(at, what.size(), by);
+  return text;
+}
 
 std::string fact(const SheetBox& box, const std::string& name) {
   const auto found = std::ranges::find(box.facts, name, &SheetFact::name);
@@ -73,6 +81,10 @@ BOOST_AUTO_TEST_CASE(boundaries_and_expected_rocks_in_the_units_of_the_base) {
   BOOST_TEST(fact(page.boxes[0], "energy") ==
              "at some mass no energy of the map is stopped; at some mass rocks are stopped up to the end of the map");
   BOOST_TEST(fact(page.boxes[0], "one energy") == "misjudges masses by a factor of up to 2.5");
+  BOOST_TEST(fact(page.boxes[1], "model") ==
+             "plane motion, half fence, elastic, plastic or breaking cables, columns that do not break, no net");
+  BOOST_TEST(fact(page.boxes[1], "interval") ==
+             "of the runs alone: it knows nothing of errors of the model; no conformity with a standard is claimed");
   BOOST_TEST(page.boxes[1].heading == "Audit: 1 of 8 runs contradict the map");
   BOOST_TEST(page.boxes[1].colour == "amber");
   BOOST_TEST(fact(page.boxes[1], "runs") == "8, 10 % of the full grid");
@@ -84,6 +96,33 @@ BOOST_AUTO_TEST_CASE(boundaries_and_expected_rocks_in_the_units_of_the_base) {
   BOOST_TEST(page.tables.at(0).rows.at(2).at(2) == "above 10");
   BOOST_TEST((page.tables.at(1).rows.at(0) == Row{"anchor force", "kip", "0.2248", "1", "0.6744 to unknown"}));
   BOOST_TEST((page.tables.at(2).rows.at(2) == Row{"passed under", "2", "2", "2"}));
+}
+
+BOOST_AUTO_TEST_CASE(failed_runs_say_nothing_about_the_fence) {
+  const std::string failed = replaced_all(
+      record(map("1.524", ""), replaced_all(hazard, R"("probability_of_failure": 0.25, "interval": [0.07, 0.6])",
+                                            R"("probability_of_failure": null, "interval": [null, null])")),
+      ends, R"({"stopped": 0, "failed": 8})");
+  const SheetPage page = page_of(failed);
+  BOOST_TEST(page.boxes[0].heading == "No probability of failure: no run finished");
+  BOOST_TEST(page.boxes[0].colour == "amber");
+  BOOST_TEST(fact(page.boxes[0], "95 %") == "none");
+  BOOST_TEST(fact(page.boxes[0], "energy") == "no boundary: no run finished");
+  BOOST_TEST(page.tables.at(0).rows.at(0).at(2) == "no run finished");
+}
+
+BOOST_AUTO_TEST_CASE(a_margin_without_a_limit_is_none) {
+  const auto margin_with = [](const std::string& force) {
+    const std::string of = R"({"runs": 8, "median": {"value": 0, "interval": [0, 0]}, "p95": {"value": )";
+    const SheetPage page = page_of(
+        record(map("1.524", ""),
+               replaced_all(hazard, outputs, R"({"fence.hanger_force": )" + of + force + R"(, "interval": [0, 9]}},
+ "fence.hanger_margin": )" + of + R"(0, "interval": [0, 0]}}})")));
+    return page.tables.at(1).rows.at(1);
+  };
+  using Row = std::vector<std::string>;
+  BOOST_TEST((margin_with("5") == Row{"hanger force/limit", "", "no limit", "no limit", ""}));
+  BOOST_TEST((margin_with("0") == Row{"hanger force/limit", "", "0", "0", "0 to 0"}));  // hangers without force
 }
 
 BOOST_AUTO_TEST_CASE(several_heights_and_energies_of_all_masses) {
@@ -115,7 +154,7 @@ BOOST_AUTO_TEST_CASE(the_program_makes_the_page_and_names_a_missing_figure) {
   BOOST_TEST(fs::exists(scratch.folder / "capacity.pdf"));
   BOOST_TEST(read_whole(scratch.folder / "capacity.html").find("<h1>A &amp; B_1</h1>") != std::string::npos);
   for (const auto& [wrong, message] :
-       {std::pair{std::string{"{\"schema\": 1}"}, "schema: must be 2, found 1: start talus capacity again"},
+       {std::pair{std::string{"{\"schema\": 1}"}, "schema: must be 3, found 1: start talus capacity again"},
         std::pair{record(""), "maps: must have a map"},
         std::pair{record(map("1.524", line("[1]", "[1, 2]"))), "speed: must be 2 numbers, found 1"}}) {
     write_whole(scratch.folder / "capacity.json", wrong);

@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int schema = 2;
+constexpr int schema = 3;
 constexpr std::array<std::string_view, 3> state_names{"stopped", "not stopped", "open"};
 /// Labels of capacity_outputs in the text.
 constexpr std::array<std::string_view, 6> output_labels{"anchor force",       "cable force",
@@ -20,7 +20,8 @@ constexpr std::array<std::string_view, 6> output_labels{"anchor force",       "c
                                                         "hanger force/limit", "energy after the last contact"};
 
 /// Places in capacity_outputs.
-constexpr std::size_t anchor_force = 0, cable_force = 1, hanger_force = 2, exit_energy = 5;
+constexpr std::size_t anchor_force = 0, cable_force = 1, hanger_force = 2, cable_margin = 3, hanger_margin = 4,
+                      exit_energy = 5;
 
 struct Unit {
   std::string_view name;
@@ -144,6 +145,14 @@ std::string range_text(const Interval& interval, const Unit& unit) {
   return fmt::format("{:.4g} to {:.4g}", unit.of(interval.low), unit.of(interval.high));
 }
 
+/// Whether an output is the margin of forces that have no limit.
+bool has_no_limit(const RockTrials& trials, std::size_t output) {
+  const std::optional<std::size_t> force = output == cable_margin    ? std::optional{cable_force}
+                                           : output == hanger_margin ? std::optional{hanger_force}
+                                                                     : std::nullopt;
+  return force && std::ranges::max(trials.values(output)) == 0.0 && std::ranges::max(trials.values(*force)) > 0.0;
+}
+
 /// A percentile of an output; "" if there is none.
 std::string quantile_text(const RockTrials* trials, std::size_t output, double probability, const Unit& unit) {
   const std::vector<double> values = trials == nullptr ? std::vector<double>{} : trials->values(output);
@@ -192,6 +201,16 @@ records::Figure map_figure(const CapacityStudy& study, const RockMap& map, std::
   return figure;
 }
 
+/// Adds the median of an output, with a bar to its 95th percentile.
+void add_quantiles(records::Series& series, double at, const RockTrials* trials, std::size_t output, const Unit& unit) {
+  const std::vector<double> values = trials == nullptr ? std::vector<double>{} : trials->values(output);
+  if (values.empty()) return;
+  const double median = unit.of(sample_quantile(values, 0.5).value);
+  series.add(at, median);
+  series.y_low.push_back(median);
+  series.y_high.push_back(unit.of(sample_quantile(values, 0.95).value));
+}
+
 records::Figure force_figure(const CapacityStudy& study, const RockMap& map, std::size_t number) {
   const CapacityUnits& units = units_of(study);
   const Unit &force = units.thousand_force, &energy = units.thousand_energy;
@@ -199,9 +218,8 @@ records::Figure force_figure(const CapacityStudy& study, const RockMap& map, std
       .name = fmt::format("cable_force_{}", number),
       .title = fmt::format("Largest cable force: {}", name_of(study, map.rock, 3)),
       .caption =
-          "Median of the largest cable force at each node, over the kinetic energy; bars to the smallest and the "
-          "largest of its runs. Light and heavy: the lower and the upper half of the "
-          "masses. Rocks of one energy give different forces.",
+          "Median of the largest cable force at each node, over the kinetic energy; bars to the 95th percentile. Light "
+          "and heavy: the lower and the upper half of the masses. Rocks of one energy give different forces.",
       .x = {.label = "kinetic energy", .unit = std::string{energy.name}},
       .y = {.label = "largest cable force", .unit = std::string{force.name}, .min = 0.0}};
   std::array<records::Series, 2> halves;
@@ -209,25 +227,12 @@ records::Figure force_figure(const CapacityStudy& study, const RockMap& map, std
   for (records::Series& half : halves)
     half.style = records::Style::errorbars;
   for_each_node(map, [&](MapNode node, std::size_t at) {
-    const std::vector<double> forces = map.nodes[at].values(cable_force);
-    if (forces.empty()) return;
-    records::Series& half = halves[2 * node.i < map.map.rules().cells ? 0 : 1];
-    half.add(energy.of(study.rock_at(map, node).kinetic_energy()), force.of(sample_quantile(forces, 0.5).value));
-    half.y_low.push_back(force.of(std::ranges::min(forces)));
-    half.y_high.push_back(force.of(std::ranges::max(forces)));
+    add_quantiles(halves[2 * node.i < map.map.rules().cells ? 0 : 1],
+                  energy.of(study.rock_at(map, node).kinetic_energy()), &map.nodes[at], cable_force, force);
   });
   for (records::Series& half : halves)
     if (!half.x.empty()) figure.series.push_back(std::move(half));
   return figure;
-}
-
-/// Adds the median of an output, with bars to the smallest and largest of its trials.
-void add_quantiles(records::Series& series, double at, const RockTrials* trials, std::size_t output, const Unit& unit) {
-  const std::vector<double> values = trials == nullptr ? std::vector<double>{} : trials->values(output);
-  if (values.empty()) return;
-  series.add(at, unit.of(sample_quantile(values, 0.5).value));
-  series.y_low.push_back(unit.of(std::ranges::min(values)));
-  series.y_high.push_back(unit.of(std::ranges::max(values)));
 }
 
 records::Figure boundary_force_figure(const CapacityStudy& study, const RockMap& map, std::size_t number) {
@@ -236,8 +241,8 @@ records::Figure boundary_force_figure(const CapacityStudy& study, const RockMap&
       .name = fmt::format("boundary_forces_{}", number),
       .title = fmt::format("Forces at the boundary: {}", name_of(study, map.rock, 3)),
       .caption =
-          "Largest forces at the speed up to which rocks of each mass are stopped: medians, with bars to the "
-          "smallest and the largest of the runs.",
+          "Largest forces at the speed up to which rocks of each mass are stopped: medians, with bars to the 95th "
+          "percentiles.",
       .x = {.label = "mass", .unit = std::string{units.mass.name}},
       .y = {.label = "largest force", .unit = std::string{units.thousand_force.name}, .min = 0.0}};
   for (const auto& [label, output] :
@@ -257,8 +262,7 @@ records::Figure boundary_energy_figure(const CapacityStudy& study, const RockMap
       .title = fmt::format("Energy at the boundary: {}", name_of(study, map.rock, 3)),
       .caption =
           "Translational and rotational kinetic energy at the speed from which rocks of each mass are not stopped, "
-          "at the start and after the last contact: medians, with bars to the smallest and the largest of the "
-          "runs.",
+          "at the start and after the last contact: medians, with bars to the 95th percentiles.",
       .x = {.label = "mass", .unit = std::string{units.mass.name}},
       .y = {.label = "energy", .unit = std::string{units.thousand_energy.name}, .min = 0.0}};
   records::Series before{.label = "at the start", .style = records::Style::linespoints},
@@ -279,6 +283,7 @@ records::Figure boundary_energy_figure(const CapacityStudy& study, const RockMap
 
 std::vector<CapacityBoundary> boundaries_of(const CapacityStudy& study, const RockMap& map, int stride) {
   std::vector<CapacityBoundary> boundaries;
+  if (all_trials(map).all_failed()) return boundaries;
   if (stride == 0) stride = map.map.rules().cells / map.map.rules().first_cells;
   const auto trials_at = [&](MapNode node) -> const RockTrials* {
     if (node.j < 0 || map.map.trials(node) == 0) return nullptr;
@@ -356,6 +361,7 @@ std::string capacity_json(const CapacityStudy& study, const RockRuns& rocks) {
       {"units", "SI"},
       {"base", file.base.filename().string()},
       {"scene_units", rocks.units().name},
+      {"symmetry", rocks.is_full() ? "full" : "half"},
       {"mass", file.mass},
       {"speed", file.speed},
       {"rock",
@@ -400,11 +406,15 @@ std::string capacity_json(const CapacityStudy& study, const RockRuns& rocks) {
   if (file.hazard) {
     const RockTrials& hazard = study.hazard();
     const std::size_t runs = hazard.trials.size(), failures = runs - hazard.stopped();
-    json["hazard"] = {{"runs", runs},
-                      {"ends", ends_json(hazard)},
-                      {"probability_of_failure", static_cast<double>(failures) / static_cast<double>(runs)},
-                      {"interval", interval_json(wilson_interval(failures, runs))},
-                      {"outputs", outputs_json(hazard)}};
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    constexpr Interval unknown{-infinity, infinity};
+    json["hazard"] = {
+        {"runs", runs},
+        {"ends", ends_json(hazard)},
+        {"probability_of_failure",
+         hazard.all_failed() ? Json(nullptr) : Json(static_cast<double>(failures) / static_cast<double>(runs))},
+        {"interval", interval_json(hazard.all_failed() ? unknown : wilson_interval(failures, runs))},
+        {"outputs", outputs_json(hazard)}};
   }
   return json.dump(2) + "\n";
 }
@@ -420,6 +430,10 @@ std::string capacity_text(const CapacityStudy& study) {
                         100.0 * static_cast<double>(all.trials.size()) / static_cast<double>(full_grid(map)),
                         ends_text(all));
     text += failure_text(all);
+    if (all.all_failed()) {
+      text += "  no boundary: no run finished\n";
+      continue;
+    }
     text +=
         fmt::format("  {:>9}  {:>17}  {:>23}  {:>18}  {:>21}\n", fmt::format("mass [{}]", units.mass.name),
                     fmt::format("stopped to [{}]", units.speed.name), fmt::format("kinetic energy [{}]", energy.name),
@@ -443,11 +457,17 @@ std::string capacity_text(const CapacityStudy& study) {
     const std::size_t runs = hazard.trials.size(), failures = runs - hazard.stopped();
     const Interval interval = wilson_interval(failures, runs);
     text += fmt::format("expected rocks: {} runs: {}\n", runs, ends_text(hazard)) + failure_text(hazard);
-    text += fmt::format("  probability of failure per impact {:.4g}, 95 %: {:.4g} to {:.4g}\n",
-                        static_cast<double>(failures) / static_cast<double>(runs), interval.low, interval.high);
+    text += hazard.all_failed()
+                ? "  no probability of failure: no run finished\n"
+                : fmt::format("  probability of failure per impact {:.4g}, 95 %: {:.4g} to {:.4g}\n",
+                              static_cast<double>(failures) / static_cast<double>(runs), interval.low, interval.high);
     for (std::size_t output = 0; output < capacity_outputs.size(); ++output) {
       if (hazard.values(output).empty()) continue;
       const Unit& unit = units.of_text(output);
+      if (has_no_limit(hazard, output)) {
+        text += fmt::format("  {:<30} no limit\n", output_labels[output]);
+        continue;
+      }
       text += fmt::format("  {:<30} median {:>10}, 95th percentile {:>10}{}\n", output_labels[output],
                           quantile_text(&hazard, output, 0.5, unit), quantile_text(&hazard, output, 0.95, unit),
                           unit.name == "1" ? "" : fmt::format(" {}", unit.name));
@@ -460,7 +480,9 @@ std::vector<records::Figure> capacity_figures(const CapacityStudy& study) {
   std::vector<records::Figure> figures;
   std::size_t number = 0;
   for (const RockMap& map : study.maps()) {
-    figures.push_back(map_figure(study, map, ++number));
+    ++number;
+    if (all_trials(map).all_failed()) continue;
+    figures.push_back(map_figure(study, map, number));
     for (records::Figure& of_forces :
          std::array{force_figure(study, map, number), boundary_force_figure(study, map, number),
                     boundary_energy_figure(study, map, number)})

@@ -55,6 +55,10 @@ std::array<std::size_t, 6> RockTrials::ends() const {
   return counts;
 }
 
+bool RockTrials::all_failed() const {
+  return !trials.empty() && std::ranges::all_of(trials, [](const RockTrial& of) { return of.end == RockEnd::failed; });
+}
+
 std::vector<double> RockTrials::values(std::size_t output) const {
   std::vector<double> values;
   for (const RockTrial& trial : trials)

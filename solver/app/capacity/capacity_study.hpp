@@ -39,6 +39,8 @@ struct RockTrials {
 
   [[nodiscard]] std::array<std::size_t, 6> ends() const;  ///< number of trials by RockEnd
   [[nodiscard]] std::size_t stopped() const { return ends()[static_cast<std::size_t>(RockEnd::stopped)]; }
+  /// Whether there are trials, and all failed: they say nothing about the fence.
+  [[nodiscard]] bool all_failed() const;
   /// Values of an output in those trials that did not fail.
   [[nodiscard]] std::vector<double> values(std::size_t output) const;
 };

@@ -85,7 +85,7 @@ RockRuns::RockRuns(const TomlValue& base, const std::string& name, const Capacit
                (file.hazard && (file.hazard->spin || file.hazard->table_has_spin));
   sets_along_ = !file.positions.empty() || file.changes.along > 0.0 ||
                 (file.hazard && (file.hazard->along || file.hazard->table_has_along));
-  if (sets_along_ && base_.fence->fence.options.symmetry == scenes::FenceSymmetry::half)
+  if (sets_along_ && !is_full())
     throw InputError{fmt::format(
         "{}: [fence.options]: symmetry: found \"half\"; it must be \"full\" for positions along the fence", name)};
   if (!sets_along_) return;

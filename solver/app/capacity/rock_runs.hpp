@@ -25,6 +25,8 @@ class RockRuns {
   [[nodiscard]] double start_energy(const Rock& rock) const;
   /// Units of the base.
   const UnitSystem& units() const { return base_.scene.model.units; }
+  /// Whether all of the fence is modelled, and not one half.
+  bool is_full() const { return base_.fence->fence.options.symmetry == scenes::FenceSymmetry::full; }
   /// The run of one rock with small changes, which `numbers` in [-1, 1) choose: speed, height, angle, spin, position.
   [[nodiscard]] SweptRun run(const Rock& rock, const std::array<double, 5>& numbers) const;
 

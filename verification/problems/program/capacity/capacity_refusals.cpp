@@ -1,5 +1,7 @@
 #include "verification/problems/program/capacity/capacity_refusals.hpp"
 
+#include <fmt/format.h>
+
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -38,7 +40,7 @@ void check_refusals(const Program& program, Differences& differ) {
       {"base = \"fence.toml\"\n" + speed, "mass: it is missing"},
       {"base = \"fence.toml\"\nmass = [\"2 kg\", \"1 kg\"]\n" + speed,
        "wrong.toml:2: mass: found [\"2 kg\", \"1 kg\"]; both must be > 0"},
-      {"base = \"fence.toml\"\nmass = [\"1 kg\", \"2 m\"]\n" + speed, "wrong.toml:2: mass: "},
+      {"base = \"fence.toml\"\nmass = [\"1 kg\", \"2 m\"]\n" + speed, "wrong.toml:2: mass[1]: "},
       {good + "height = []\n", "wrong.toml:4: height: found []; it must have a quantity"},
       {good + "height = [\"-1 m\"]\n", "wrong.toml:4: height[0]: found \"-1 m\"; it must be > 0"},
       {good + "height = [3]\n", "wrong.toml:4: height[0]: found 3; the unit is missing"},
@@ -96,6 +98,22 @@ void check_refusals(const Program& program, Differences& differ) {
           other.messages.find("other: found base.toml of something else; give another folder") != std::string::npos &&
           program.read("other/base.toml").empty());
   differ.compare("nothing is written of a wrong question", program.has("wrong/sweep.json"), false);
+  // A question whose runs all fail has an answer without boundary and probability.
+  program.write("failing.toml", good +
+                                    "[map]\ncells = 4\n[hazard]\nmass = \"1 kg\"\nspeed = \"1 m/s\"\nheight = "
+                                    "\"1 m\"\nruns = 4\n[limits]\nevaluations = 1\n");
+  const ProgramEnd failing = program.end({"capacity", "failing.toml"}, {{"--no-plots", {}}});
+  differ.ended("a question whose runs all fail", failing, 3, "");
+  for (const char* const text : {"  no boundary: no run finished\n", "  no probability of failure: no run finished\n",
+                                 "  failed, for example: "})
+    differ.contains("a question whose runs all fail", failing.output, text);
+  for (const char* const text : {"below", "audit", "kinetic energy", "probability of failure per impact"})
+    differ.compare(fmt::format("a question whose runs all fail: {}", text),
+                   failing.output.find(text) == std::string::npos, true);
+  const records::Json json = records::Json::parse(program.read("failing/capacity.json"));
+  differ.holds("no boundary", json.at("maps").at(0).at("boundary").empty());
+  differ.holds("no probability", json.at("hazard").at("probability_of_failure").is_null() &&
+                                     json.at("hazard").at("interval").at(0).is_null());
 }
 
 }  // namespace talus::verification::problems::fence_capacity

@@ -51,14 +51,29 @@ void check_units(const Program& program, const ResultUnits& units, Differences& 
   const std::string text =
       talus_output(program.folder(), {"capacity", "drawn.toml", "--out", folder}, picture_options::recorded_pictures());
   const Json map = Json::parse(program.read(folder + "/capacity.json")).at("maps").at(0);
-  const auto median = [](const Json& line, const char* of, const char* output) {
-    return line.at(of).at("outputs").at(output).at("median").at("value").get<double>();
+  const auto quantile = [](const Json& line, const char* of, const char* output, const char* name) {
+    return line.at(of).at("outputs").at(output).at(name).at("value").get<double>();
+  };
+  const auto median = [&](const Json& line, const char* of, const char* output) {
+    return quantile(line, of, output, "median");
   };
   /// Whether a curve has the point; numbers are drawn with six digits.
   const auto has = [](const picture_options::Curve& curve, double x, double y) {
     for (const auto& line : curve.lines)
       for (const picture_options::Point& point : line)
         if (std::abs(point[0] / x - 1.0) < 1e-5 && std::abs(point[1] / y - 1.0) < 1e-5) return true;
+    return false;
+  };
+  /// Whether the bar of a point of a curve ends at its 95th percentile, and begins at the median.
+  const auto has_bar = [](const picture_options::Curve& curve, double x, double low, double high) {
+    const auto near = [](double a, double b) { return std::abs(a - b) <= 1e-5 * std::abs(b); };
+    std::size_t at = 0;
+    for (const auto& line : curve.lines)
+      for (const picture_options::Point& point : line) {
+        if (at >= curve.bars.size()) return false;
+        const picture_options::Point& bar = curve.bars[at++];
+        if (near(point[0], x) && near(bar[0], low) && near(bar[1], high)) return true;
+      }
     return false;
   };
   /// The curves of a picture in SI units.
@@ -74,6 +89,9 @@ void check_units(const Program& program, const ResultUnits& units, Differences& 
       for (auto& line : curve.lines)
         for (picture_options::Point& point : line)
           point = {point[0] * x.size, point[1] * y.size};
+    for (picture_options::Curve& curve : curves)
+      for (picture_options::Point& bar : curve.bars)
+        bar = {bar[0] * y.size, bar[1] * y.size};
     return curves;
   };
   const auto curves = [&](const char* name, const Unit& x, const Unit& y, std::size_t count) {
@@ -102,9 +120,12 @@ void check_units(const Program& program, const ResultUnits& units, Differences& 
     differ.holds("height of a node", std::abs(number("height", units.length) + ground_top) < 1e-12);
     differ.holds("a drawn node", in_any(of_map, mass, speed));
     // Light and heavy rocks, up to and from the middle of the masses.
-    if (of_force.size() == 2)
-      differ.holds("a drawn force",
-                   has(of_force[mass < 450.0 ? 0 : 1], energy, number("fence.cable_force.median", units.force)));
+    if (of_force.size() == 2) {
+      const double force = number("fence.cable_force.median", units.force);
+      const picture_options::Curve& curve = of_force[mass < 450.0 ? 0 : 1];
+      differ.holds("a drawn force", has(curve, energy, force));
+      differ.holds("bar of a force", has_bar(curve, energy, force, number("fence.cable_force.p95", units.force)));
+    }
   }
   std::size_t lines = 0;
   for (const picture_options::Curve& curve : of_map) {
@@ -122,6 +143,10 @@ void check_units(const Program& program, const ResultUnits& units, Differences& 
     differ.holds("drawn anchor force", has(forces[0], mass, median(line, "stopped", "fence.anchor_force")));
     differ.holds("drawn cable force", has(forces[1], mass, median(line, "stopped", "fence.cable_force")));
     differ.holds("drawn hanger force", has(forces[2], mass, median(line, "stopped", "fence.hanger_force")));
+    differ.holds("bar of the anchor force", has_bar(forces[0], mass, median(line, "stopped", "fence.anchor_force"),
+                                                    quantile(line, "stopped", "fence.anchor_force", "p95")));
+    differ.holds("bar of the energy after", has_bar(energies[1], mass, median(line, "not_stopped", "fence.exit_energy"),
+                                                    quantile(line, "not_stopped", "fence.exit_energy", "p95")));
     const double radius = own_radius * std::cbrt(mass / own_mass), turning = 0.4 * mass * radius * radius;
     differ.holds("drawn energy at the start",
                  has(energies[0], mass, 0.5 * (mass * high * high + turning * spin * spin)));
@@ -143,18 +168,21 @@ void check_units(const Program& program, const ResultUnits& units, Differences& 
   // file.
   for (const char* const of : {"anchor", "cable", "hanger"}) {
     const std::string output = fmt::format("fence.{}_force", of);
-    const std::string head = fmt::format("{}.median [{}]", output, units.force.name);
-    differ.compare(fmt::format("column of the {} force", of), std::ranges::count(nodes.header(), head), 1L);
-    if (std::ranges::count(nodes.header(), head) != 1) continue;
-    for (const Json& line : map.at("boundary")) {
-      const double mass = line.at("mass").get<double>() / units.mass.size,
-                   low = line.at("speed").at(0).get<double>() / units.speed.size;
-      for (std::size_t row = 0; row < nodes.rows(); ++row) {
-        if (std::abs(nodes.number(row, fmt::format("mass [{}]", units.mass.name)) / mass - 1.0) < 1e-9 &&
-            std::abs(nodes.number(row, fmt::format("speed [{}]", units.speed.name)) / low - 1.0) < 1e-9)
-          differ.holds(fmt::format("{} force of a node", of),
-                       std::abs(units.force.size * nodes.number(row, head) / median(line, "stopped", output.c_str()) -
-                                1.0) < 1e-12);
+    for (const char* const name : {"median", "p95"}) {
+      const std::string head = fmt::format("{}.{} [{}]", output, name, units.force.name);
+      differ.compare(fmt::format("column of the {} force", of), std::ranges::count(nodes.header(), head), 1L);
+      if (std::ranges::count(nodes.header(), head) != 1) continue;
+      for (const Json& line : map.at("boundary")) {
+        const double mass = line.at("mass").get<double>() / units.mass.size,
+                     low = line.at("speed").at(0).get<double>() / units.speed.size;
+        for (std::size_t row = 0; row < nodes.rows(); ++row) {
+          if (std::abs(nodes.number(row, fmt::format("mass [{}]", units.mass.name)) / mass - 1.0) < 1e-9 &&
+              std::abs(nodes.number(row, fmt::format("speed [{}]", units.speed.name)) / low - 1.0) < 1e-9)
+            differ.holds(
+                fmt::format("{} force of a node", of),
+                std::abs(units.force.size * nodes.number(row, head) / quantile(line, "stopped", output.c_str(), name) -
+                         1.0) < 1e-12);
+        }
       }
     }
   }

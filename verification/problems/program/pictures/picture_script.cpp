@@ -30,6 +30,7 @@ Curve read_curve(std::istream& lines) {
     if (begins) curve.lines.emplace_back();
     begins = false;
     curve.lines.back().push_back({row[0], row[1]});
+    if (row.size() == 4) curve.bars.push_back({row[2], row[3]});
   }
   return curve;
 }

@@ -15,6 +15,7 @@ struct Curve {
   std::string name{};  ///< of its data block
   std::string label{};
   std::vector<std::vector<Point>> lines{};  ///< separated by empty rows
+  std::vector<Point> bars{};                ///< lower and upper end of the bar of each point that has one, in order
 };
 
 struct Panel {
