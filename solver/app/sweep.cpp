@@ -132,6 +132,16 @@ std::vector<Sample> samples_of(const SweepFolder& sweep, const SweepBase& base) 
   return samples;
 }
 
+/// Why a sample is refused, after the field with its value: the reason names the line of the base.
+std::string refusal(const Sample& sample, const SweepFolder& sweep, const SweepBase& base) {
+  const std::string& reason = sample.result.reason;
+  const SweptRun& run = sweep.runs[sample.number - 1];
+  const std::optional<std::size_t> wrong = base.refused_parameter(run, reason);
+  if (!wrong) return reason;
+  const auto& [field, value] = run.parameters[*wrong];
+  return fmt::format("{} = {}: {}", field, found(value), reason);
+}
+
 int plan(const SweepOptions& options) {
   const fs::path file{options.file};
   const SweepFile described = read_sweep(read_text(file), file);
@@ -152,7 +162,7 @@ int plan(const SweepOptions& options) {
   const std::vector<Sample> samples = samples_of(sweep, base);
   if (std::ranges::all_of(samples, [](const Sample& of) { return of.result.end == SweepEnd::refused; })) {
     throw InputError{fmt::format("{}: run {} is refused, as are all that were tried: {}", file.string(),
-                                 samples.front().number, samples.front().result.reason)};
+                                 samples.front().number, refusal(samples.front(), sweep, base))};
   }
   write_sweep_folder(sweep);
   double seconds = 0.0, evaluations = 0.0, bytes = 0.0;
@@ -177,12 +187,12 @@ int plan(const SweepOptions& options) {
     if (made.left_out > 0) fmt::print(", without {} that do not satisfy the constraints", made.left_out);
     fmt::print("\nestimated from {} runs: {:.3g} force evaluations, {} of processor time, {:.3g} MB of results\n",
                samples.size(), evaluations * scale, time_text(seconds * scale), 1e-6 * bytes * scale);
-    fmt::print("written: {0}/sweep.json, base.toml, manifest.jsonl\nrun it by:\n  talus sweep run {0}\n",
-               shell_word(folder));
+    fmt::print("written: {}, base.toml, manifest.jsonl\nrun it by:\n  talus sweep run {}\n",
+               shell_word((sweep.folder / "sweep.json").string()), shell_word(folder));
   }
   for (const Sample& sample : samples) {
     if (sample.result.end == SweepEnd::refused)
-      print_failure(fmt::format("warning: run {} is refused: {}", sample.number, sample.result.reason));
+      print_failure(fmt::format("warning: run {} is refused: {}", sample.number, refusal(sample, sweep, base)));
   }
   return ok;
 }
@@ -209,13 +219,34 @@ class RunCounter {
   Clock::time_point start_{Clock::now()};
 };
 
+/// Errors: IoError while a part of another division of the sweep runs, since both have some runs.
+void demand_one_division(const fs::path& parts, const Shard& shard) {
+  for (const fs::directory_entry& entry : fs::directory_iterator{parts}) {
+    const std::string part = entry.path().filename().string();
+    if (part.ends_with(fmt::format("-of-{}", shard.count))) continue;
+    try {
+      const FolderLock is_free{entry.path()};
+    } catch (const IoError&) {
+      throw IoError{
+          fmt::format("{}: part {} of another division runs, which has some of the same runs; wait for its end",
+                      parts.parent_path().string(), part)};
+    }
+  }
+}
+
+void print_duplicates(const KnownResults& known) {
+  if (!known.duplicates.empty()) fmt::print("{} results of runs that have another one\n", known.duplicates.size());
+}
+
 int run(const SweepOptions& options) {
   const Shard shard = shard_of(options.shard);
   const SweepFolder part = read_sweep_folder(options.folder).part(shard.number, shard.count);
-  // The same part twice at a time would have two results of each run.
-  const fs::path lock_folder = part.folder / "parts" / fmt::format("{}-of-{}", shard.number, shard.count);
+  // The same run twice at a time would have two results.
+  const fs::path parts = part.folder / "parts",
+                 lock_folder = parts / fmt::format("{}-of-{}", shard.number, shard.count);
   make_folder(lock_folder);
   const FolderLock lock{lock_folder};
+  demand_one_division(parts, shard);
   const SweepBase base = part.base();
   std::vector<const SweptRun*> missing;
   {
@@ -237,9 +268,11 @@ int run(const SweepOptions& options) {
     });
     file.flush();
   }
-  const SweepCounts counts = counts_of(part, read_results(part));
+  const KnownResults known = read_results(part);
+  const SweepCounts counts = counts_of(part, known);
   const std::string of_all = shard.count > 1 ? fmt::format(", part {} of {}", shard.number, shard.count) : "";
   fmt::print("{}\n", counts.text(" done" + of_all));
+  print_duplicates(known);
   if (interrupted()) {
     print_failure(fmt::format("{}: {} runs are missing; the same command continues with them", interruption.name(),
                               counts.missing()));
@@ -260,7 +293,7 @@ int status(const SweepOptions& options) {
     return ok;
   }
   fmt::print("{}\n", counts.text(" done"));
-  if (!known.duplicates.empty()) fmt::print("{} results of runs that have another one\n", known.duplicates.size());
+  print_duplicates(known);
   if (known.of_others > 0) fmt::print("{} results of runs that are not in the plan\n", known.of_others);
   return ok;
 }

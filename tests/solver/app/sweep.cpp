@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 #include <thread>
+#include <tuple>
 
 #include "tests/solver/app/program.hpp"
 #include "tests/solver/io/folder.hpp"
@@ -166,15 +167,49 @@ BOOST_AUTO_TEST_CASE(a_signal_ends_the_engine_and_its_parts) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(results_of_runs_that_have_another_one_are_counted) {
+  const Folder folder;
+  const std::string out = planned(folder, "out");
+  BOOST_REQUIRE(talus_ran({"sweep", "run", out}).code == 0);
+  const fs::path results = fs::directory_iterator { out + "/results" } -> path();
+  fs::copy_file(results, out + "/results/copy.jsonl");
+  const std::string expected = "120 of 120 runs done: 120 finished\n120 results of runs that have another one\n";
+  BOOST_TEST(talus_ran({"sweep", "run", out}).out == expected);
+  BOOST_TEST(talus_ran({"sweep", "status", out}).out == expected);
+}
+
+BOOST_AUTO_TEST_CASE(a_missing_engine_names_its_packages) {
+  const Folder folder;
+  const std::string out = planned(folder, "out");
+  for (const auto& [engine, program, package] :
+       {std::tuple{"slurm", "sbatch", "slurm-client"}, std::tuple{"parallel", "parallel", "parallel"}}) {
+    const Ended ended = ran(TALUS_EXECUTABLE, {"sweep", "submit", out, "--engine", engine}, "", "/none");
+    BOOST_TEST(ended.code == 4);
+    BOOST_TEST(holds(ended.err, std::string{program} + ": cannot be started"), ended.err);
+    BOOST_TEST(holds(ended.err, std::string{"Debian's packages: "} + package + "; scripts/setup --engines installs it"),
+               ended.err);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_folder_may_end_with_a_slash) {
+  const Folder folder;
+  const std::string out = planned(folder, "out") + "/";
+  const Ended again = talus_ran({"sweep", "plan", (folder.path / "rebounds.toml").string(), "--out", out});
+  BOOST_TEST(holds(again.out, "written: " + out + "sweep.json, base.toml"), again.out);
+}
+
 BOOST_AUTO_TEST_CASE(a_part_runs_once_at_a_time) {
   const Folder folder;
   const std::string out = planned(folder, "out");
   StartedProgram first{TALUS_EXECUTABLE, {"sweep", "run", out, "--threads", "1"}};
   while (fs::is_empty(out + "/results"))
     std::this_thread::sleep_for(std::chrono::milliseconds{1});
-  const Ended second = talus_ran({"sweep", "run", out});
+  const Ended second = talus_ran({"sweep", "run", out}), half = talus_ran({"sweep", "run", out, "--shard", "1/2"});
   BOOST_TEST(second.code == 4);
   BOOST_TEST(holds(second.err, "is writing into it"), second.err);
+  BOOST_TEST(half.code == 4);
+  BOOST_TEST(holds(half.err, "part 1-of-1 of another division runs, which has some of the same runs; wait for its end"),
+             half.err);
   BOOST_TEST(first.exit_code() == 0);
   BOOST_TEST(talus_ran({"sweep", "collect", out}).code == 0);
 }
