@@ -105,8 +105,8 @@ OutputError cannot_start(const std::string& program, int failure) {
   if (failure == ENOENT) {
     const auto known = programs.find(program);
     const ProgramPackages of = known == programs.end() ? ProgramPackages{} : known->second;
-    cure = fmt::format(" (is it installed?{} {})", of.packages.empty() ? "" : " Debian's packages: " + of.packages + ";",
-                       of.setup);
+    cure = fmt::format(" (is it installed?{} {})",
+                       of.packages.empty() ? "" : " Debian's packages: " + of.packages + ";", of.setup);
   }
   return OutputError(fmt::format("{}: cannot be started: {}{}", program, std::strerror(failure), cure));
 }
