@@ -228,7 +228,7 @@ void demand_one_division(const fs::path& parts, const Shard& shard) {
       const FolderLock is_free{entry.path()};
     } catch (const IoError&) {
       throw IoError{
-          fmt::format("{}: part {} of another division runs, which has some of the same runs; wait for its end",
+          fmt::format("{}: part {} of another division runs, which has some of the same runs; it must end first",
                       parts.parent_path().string(), part)};
     }
   }
