@@ -31,8 +31,6 @@ struct AdviseOptions {
   AdviceRules rules;
 };
 
-std::string_view name_of(Refusal::Kind kind) { return Names<Refusal::Kind>::list[static_cast<std::size_t>(kind)]; }
-
 /// A method with its tolerance and step, as text.
 std::string text_of(const RunMethod& method, double duration, const UnitSystem& units) {
   return fmt::format("{}{}, step {:.6g} {}", method.integrator,

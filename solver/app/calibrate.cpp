@@ -120,10 +120,10 @@ Command add_calibrate(CLI::App& talus, const DrawingSink& sink) {
   parameter("hysteresis", "the same for hunt_crossley");
   offer(app->add_option("--dashpot", options->dashpot,
                         "of hertz: tsuji (default; the restitution is the same at every speed) or constant"),
-        {Names<HertzDashpot>::list.begin(), Names<HertzDashpot>::list.end()});
+        names_of<HertzDashpot>());
   offer(app->add_option("--end-rule", options->end_rule,
                         "clamped (default, as in scenes: never pulls) or attractive (Eq. 21 of 1993)"),
-        {Names<EndRule>::list.begin(), Names<EndRule>::list.end()});
+        names_of<EndRule>());
   CLI::Option* pivot = app->add_option("--pivot", options->pivot,
                                        "body 2 turns about a fixed pin: its inertia about the pin, and the arm, the "
                                        "distance of the pin from the line of impact; its mass has no effect")

@@ -30,10 +30,6 @@
 namespace talus::app {
 namespace {
 
-std::string_view mobility_name(const Body& body) {
-  return Names<Mobility>::list[static_cast<std::size_t>(body.mobility)];
-}
-
 /// Maximum number of printed lines of a table.
 constexpr std::size_t maximum_lines = 100;
 
@@ -71,7 +67,7 @@ void print_bodies(const Scene& scene, const Dynamics& dynamics) {
     const std::string mass = body.mobility == Mobility::fixed
                                  ? ""
                                  : fmt::format(", mass {:.6g} {}", body.mass, symbol(units, dimension::mass));
-    fmt::print("  {:<14} {}, shape {}{}\n", body.name, mobility_name(body), shape, mass);
+    fmt::print("  {:<14} {}, shape {}{}\n", body.name, name_of(body.mobility), shape, mass);
   }
   print_rest(scene.model.bodies.size());
   std::size_t contact_instances = 0;

@@ -328,13 +328,6 @@ int collect(const SweepOptions& options) {
   return exit_of(counts);
 }
 
-Engine engine_named(const std::string& name) {
-  const auto& names = Names<Engine>::list;
-  const auto found = std::ranges::find(names, name);
-  if (found == names.end()) throw unknown_name("--engine: engine", name, {names.begin(), names.end()});
-  return static_cast<Engine>(found - names.begin());
-}
-
 /// Runs an engine with its progress, until it ends. A signal to this process ends it: GNU parallel ends its parts at
 /// the second SIGTERM.
 reports::Finished run_engine(const reports::Command& command, const SweepFolder& sweep,
@@ -349,7 +342,7 @@ reports::Finished run_engine(const reports::Command& command, const SweepFolder&
 }
 
 int submit(const SweepOptions& options) {
-  const Engine engine = engine_named(options.engine);
+  const Engine engine = value_named<Engine>("--engine: engine", options.engine);
   const SweepFolder sweep = read_sweep_folder(options.folder);
   if (engine == Engine::local) {
     if (!options.hosts.empty() || options.waits || !options.engine_options.empty() || options.parts)
@@ -505,7 +498,7 @@ Command add_sweep(CLI::App& talus) {
   add_folder(*submit_app, *options);
   offer(submit_app->add_option("--engine", options->engine,
                                "local (default), parallel (GNU parallel, also on ssh hosts) or slurm (a job array)"),
-        {Names<Engine>::list.begin(), Names<Engine>::list.end()});
+        names_of<Engine>());
   submit_app
       ->add_option("--parts", options->parts,
                    "number of processes with one thread each; default: one for each thread of this machine")

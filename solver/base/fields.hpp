@@ -1,10 +1,16 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include "solver/base/dimension.hpp"
+#include "solver/base/error.hpp"
 #include "solver/base/vec.hpp"
 
 namespace talus {
@@ -104,6 +110,28 @@ struct Names;
 template <class Enum>
 [[nodiscard]] constexpr std::string_view name_of(Enum value) {
   return Names<Enum>::list[static_cast<std::size_t>(value)];
+}
+
+/// All names of an enum, in the enum's order.
+template <class Enum>
+[[nodiscard]] std::vector<std::string> names_of() {
+  return {Names<Enum>::list.begin(), Names<Enum>::list.end()};
+}
+
+/// The enum value of this name; empty if there is none.
+template <class Enum>
+[[nodiscard]] constexpr std::optional<Enum> find_named(std::string_view name) {
+  const auto& names = Names<Enum>::list;
+  const auto found = std::ranges::find(names, name);
+  if (found == names.end()) return std::nullopt;
+  return static_cast<Enum>(found - names.begin());
+}
+
+/// The enum value of this name. Errors: that of unknown_name(), which begins with `kind`.
+template <class Enum>
+[[nodiscard]] Enum value_named(std::string_view kind, std::string_view name) {
+  if (const std::optional<Enum> found = find_named<Enum>(name)) return *found;
+  throw unknown_name(kind, name, names_of<Enum>());
 }
 
 }  // namespace talus

@@ -18,11 +18,6 @@ namespace talus::catalogue {
 using Form = FieldForm;
 using Group = FieldGroup;
 
-template <class Enum>
-std::vector<std::string> names_of() {
-  return {Names<Enum>::list.begin(), Names<Enum>::list.end()};
-}
-
 /// The number as text, or "no limit".
 [[nodiscard]] std::string text_of(double value);
 

@@ -174,7 +174,7 @@ Group options() {
               .about = "choices that no record of the 1993 deck makes; this table may be left out"};
   const FenceOptions current = scenes::current_options(), historical;
   std::vector<std::string> of_1993;
-  for_each_choice(historical, [&](std::string_view, auto option) { of_1993.emplace_back(choice_name(option)); });
+  for_each_choice(historical, [&](std::string_view, auto option) { of_1993.emplace_back(name_of(option)); });
   for_each_choice(current, [&](std::string_view name, auto option) {
     CatalogueField field = choice(std::string{name}, option_meaning(name), option);
     field.absent = usual_option(field.absent, of_1993[group.fields.size()]);

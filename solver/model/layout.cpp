@@ -137,15 +137,15 @@ void set_velocity(const Model& model, const Layout& layout, State& state, BodyId
   const bool along_x = has_x(moved.mobility), along_y = has_y(moved.mobility);
   if ((!along_x && v_WB.x != 0.0) || (!along_y && v_WB.y != 0.0)) {
     throw InputError{fmt::format("body '{}' is {} and has no independent velocity{}; give {}", moved.name,
-                                 Names<Mobility>::list[static_cast<std::size_t>(moved.mobility)],
+                                 name_of(moved.mobility),
                                  along_x   ? " along y"
                                  : along_y ? " along x"
                                            : "",
                                  turns(moved.mobility) ? "its angular velocity" : "none")};
   }
   if (!turns(moved.mobility) && w_WB != 0.0) {
-    throw InputError{fmt::format("body '{}' is {} and cannot turn; give no angular velocity", moved.name,
-                                 Names<Mobility>::list[static_cast<std::size_t>(moved.mobility)])};
+    throw InputError{
+        fmt::format("body '{}' is {} and cannot turn; give no angular velocity", moved.name, name_of(moved.mobility))};
   }
   if (along_x) state.v[next++] = v_WB.x;
   if (along_y) state.v[next++] = v_WB.y;

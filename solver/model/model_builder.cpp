@@ -218,8 +218,7 @@ ContactId ModelBuilder::add(Contact contact) {
         fmt::format("contact '{}': no contact between shapes '{}' and '{}' by method '{}'; known pairs: circle "
                     "with circle, rectangle, superquadric, half_plane, terrain; rectangle and superquadric with "
                     "rectangle, superquadric, half_plane",
-                    contact.name, shape_name(a.shape), shape_name(b.shape),
-                    Names<ContactMethod>::list[static_cast<std::size_t>(contact.method)])};
+                    contact.name, shape_name(a.shape), shape_name(b.shape), name_of(contact.method))};
   }
   if (contact.method == ContactMethod::nodes &&
       (std::ranges::any_of(contact.nodes, [](int n) { return n < 3 || n > 100000; }))) {

@@ -22,13 +22,6 @@ std::vector<std::string_view> kinds(const Model& model, const std::vector<Column
   return found;
 }
 
-Reduction reduction_named(std::string_view name) {
-  const auto& list = Names<Reduction>::list;
-  const auto found = std::find(list.begin(), list.end(), name);
-  if (found == list.end()) throw unknown_name("reduction", name, {list.begin(), list.end()});
-  return static_cast<Reduction>(found - list.begin());
-}
-
 }  // namespace
 
 double Quantity::of(double minimum, double maximum, double last) const {
@@ -64,7 +57,8 @@ Quantity quantity_named(const Model& model, std::string_view name) {
     if (name == column || name == known.back())
       throw InputError{fmt::format("found \"{0}\"; it must end in .max, .min, .abs_max or .end, e.g. {0}.max", name)};
     if (wanted == column || wanted == known.back()) {
-      return {std::string{name}, i, columns[i].dimension, i >= without_ledger, reduction_named(name.substr(dot + 1))};
+      return {std::string{name}, i, columns[i].dimension, i >= without_ledger,
+              value_named<Reduction>("reduction", name.substr(dot + 1))};
     }
   }
   throw unknown_name("column", wanted, known);

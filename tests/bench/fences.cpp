@@ -50,9 +50,7 @@ void print_fence_costs() {
   fences.push_back({"13 columns, 1 layer, ledger", fence(13, 1), true});
   for (const Sleep sleep : {Sleep::off, Sleep::exact, Sleep::on}) {
     for (const int columns : {13, 101, 1001}) {
-      fences.push_back(
-          {fmt::format("{} columns, sleep {}", columns, Names<Sleep>::list[static_cast<std::size_t>(sleep)]),
-           fence(columns, 1, sleep), false});
+      fences.push_back({fmt::format("{} columns, sleep {}", columns, name_of(sleep)), fence(columns, 1, sleep), false});
     }
   }
   std::vector<std::unique_ptr<Dynamics>> dynamics;

@@ -48,11 +48,6 @@ void append_integrators(std::vector<Requirement>& all) {
   }
 }
 
-template <class Enum>
-std::vector<std::string> names_of() {
-  return {Names<Enum>::list.begin(), Names<Enum>::list.end()};
-}
-
 }  // namespace
 
 std::vector<Requirement> requirements_of_solver() {

@@ -121,7 +121,7 @@ std::vector<LawParameter> parameters_of(const FrictionLaw& friction) {
   return found;
 }
 
-std::string name_of(const FrictionLaw& friction) {
+std::string friction_name(const FrictionLaw& friction) {
   return std::visit([]<class F>(const F&) { return std::string{F::name}; }, friction);
 }
 

@@ -26,7 +26,7 @@ struct GivenFriction {
 [[nodiscard]] std::vector<LawParameter> parameters_of(const FrictionLaw& law);
 
 /// Name of a friction law in scenes.
-[[nodiscard]] std::string name_of(const FrictionLaw& law);
+[[nodiscard]] std::string friction_name(const FrictionLaw& law);
 
 /// Tangential over normal stiffness of a contact at an overlap > 0 [L].
 [[nodiscard]] double stiffness_ratio(const FrictionLaw& friction, const ContactLaw& contact_law, double overlap);

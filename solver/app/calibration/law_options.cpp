@@ -14,15 +14,6 @@
 namespace talus::app {
 namespace {
 
-template <class Enum>
-Enum value_named(const std::string& option, const std::string& name) {
-  const auto& list = Names<Enum>::list;
-  for (std::size_t i = 0; i < list.size(); ++i) {
-    if (list[i] == name) return static_cast<Enum>(i);
-  }
-  throw unknown_name(option, name, {list.begin(), list.end()});
-}
-
 /// Errors: InputError for an option that was given and that the law does not have.
 template <class L>
 void refuse_other_options(const CalibrateOptions& options) {

@@ -135,7 +135,7 @@ void print_json(const ObliqueCalibration& found, const CalibrateOptions& options
     json[parameter.name] = parameter.value;
   for (const auto& [name, value] : choices_of(impact.law))
     json[name] = value;
-  json["shear_law"] = name_of(impact.friction);
+  json["shear_law"] = friction_name(impact.friction);
   for (const LawParameter& parameter : parameters_of(impact.friction))
     json[parameter.name] = parameter.value;
   if (!found.sought.empty()) json["found"] = found.sought;

@@ -87,7 +87,7 @@ SweepResult SweepFunction::operator()(std::span<const double> numbers, const std
 
 std::string failure_of(const SweepResult& result) {
   if (result.end != SweepEnd::finished) {
-    return fmt::format("{}: {}", Names<SweepEnd>::list[static_cast<std::size_t>(result.end)], result.reason);
+    return fmt::format("{}: {}", name_of(result.end), result.reason);
   }
   const bool has_all = std::ranges::all_of(result.values, [](double value) { return std::isfinite(value); });
   return has_all ? "" : result.reason;

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <limits>
 #include <nlohmann/json.hpp>
 
@@ -21,7 +20,7 @@ std::string no_value(std::string_view output, std::string_view reason) {
 }
 
 std::string result_line(const SweepResult& result, std::string_view sweep) {
-  Json json{{"id", result.id}, {"sweep", sweep}, {"end", Names<SweepEnd>::list[static_cast<std::size_t>(result.end)]}};
+  Json json{{"id", result.id}, {"sweep", sweep}, {"end", name_of(result.end)}};
   if (!result.reason.empty()) json["reason"] = result.reason;
   json["time"] = result.time;
   json["evaluations"] = result.evaluations;
@@ -37,11 +36,7 @@ SweepResult result_of_line(const std::string& line, std::string_view sweep) {
       throw InputError{"the result is of another base, or has other outputs or limits; remove it, or plan that sweep"};
     SweepResult result;
     result.id = json.at("id").get<std::string>();
-    const auto& names = Names<SweepEnd>::list;
-    const auto name = json.at("end").get<std::string>();
-    const auto found = std::ranges::find(names, name);
-    if (found == names.end()) throw InputError{unknown_name("end", name, {names.begin(), names.end()}).what()};
-    result.end = static_cast<SweepEnd>(found - names.begin());
+    result.end = value_named<SweepEnd>("end", json.at("end").get<std::string>());
     result.reason = json.value("reason", "");
     result.time = json.at("time").get<double>();
     result.evaluations = json.at("evaluations").get<long>();

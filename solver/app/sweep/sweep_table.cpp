@@ -15,8 +15,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string_view name_of(SweepEnd end) { return Names<SweepEnd>::list[static_cast<std::size_t>(end)]; }
-
 /// A column of a field that is varied; with numbers in one unit, or with texts.
 struct ParameterColumn {
   std::string name;

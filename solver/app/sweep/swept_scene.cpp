@@ -57,8 +57,7 @@ SweepResult SweptScene::result(const SweptRun& run, const SweepLimits& limits,
   if (end.is_interrupted()) return {};
   result.time = outcome.time;
   result.evaluations = scene_run.run_state().evaluations;
-  if (const scenes::FenceSummary* const fence = scene_run.fence())
-    result.verdict = Names<scenes::Verdict>::list[static_cast<std::size_t>(fence->verdict())];
+  if (const scenes::FenceSummary* const fence = scene_run.fence()) result.verdict = name_of(fence->verdict());
   if (!outcome) {
     result.end = SweepEnd::diverged, result.reason = scene_run.explained(outcome).message;
     return result;

@@ -76,7 +76,7 @@ Json parameters(const CellScene& scene) {
     json[std::string{field.name}] = scene.plan.*field.member;
   json["historical"] = scene.plan.historical;
   json["jump"] = scene.plan.jump;
-  json["images"] = std::string{Names<Images>::list[static_cast<std::size_t>(scene.plan.images)]};
+  json["images"] = std::string{name_of(scene.plan.images)};
   return json;
 }
 

@@ -34,10 +34,4 @@ void for_each_choice(Options&& options, Visit&& visit) {
   visit("sleep", sleep);
 }
 
-/// The name of a choice.
-template <class Enum>
-std::string_view choice_name(Enum choice) {
-  return Names<Enum>::list[static_cast<std::size_t>(choice)];
-}
-
 }  // namespace talus

@@ -25,7 +25,7 @@ void add_element_faults(Faults& found, const FenceElement& element, std::size_t 
   if (cylinder != (element.type == ElementType::column)) {
     found.push_back(
         {number, "solid",
-         fmt::format("found {} ({}); it must be {}", code, Names<ElementSolid>::list[code],
+         fmt::format("found {} ({}); it must be {}", code, name_of(element.solid),
                      cylinder ? "0 (ellipsoid) or 1 (block) for the ground and rocks" : "2 (cylinder) for a column")});
   }
   const double motions[] = {element.velocity.x, element.velocity.y, element.spin};

@@ -89,10 +89,10 @@ class DeckWriter {
 std::vector<std::string> choices(const scenes::FenceOptions& options) {
   std::vector<std::string> result;
   for_each_choice(options, [&](std::string_view name, auto choice) {
-    result.push_back(fmt::format("{} = \"{}\"", name, choice_name(choice)));
+    result.push_back(fmt::format("{} = \"{}\"", name, name_of(choice)));
   });
   for (const MonitorRules::Choice& choice : MonitorRules::choices())
-    result.push_back(fmt::format("watch {} = \"{}\"", choice.name, choice_name(options.watch.*choice.member)));
+    result.push_back(fmt::format("watch {} = \"{}\"", choice.name, name_of(options.watch.*choice.member)));
   result.push_back(fmt::format("integrator = \"{}\"", options.integrator));
   for (const auto& field : scenes::FenceOptions::fields())
     result.push_back(fmt::format("{} = {}", field.name, options.*field.member));

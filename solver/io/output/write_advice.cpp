@@ -35,8 +35,7 @@ nlohmann::ordered_json advice_json(const Scene& scene, const Quantity& quantity,
     json["tried"].push_back(std::move(entry));
   }
   if (advice.refusal) {
-    json["refusal"] = {{"kind", Names<Refusal::Kind>::list[static_cast<std::size_t>(advice.refusal->kind)]},
-                       {"message", advice.refusal->message}};
+    json["refusal"] = {{"kind", name_of(advice.refusal->kind)}, {"message", advice.refusal->message}};
   } else {
     json["advice"] = json_of(advice.best->method, duration);
     json["advice"]["error"] = advice.best->error;

@@ -42,7 +42,7 @@ SceneBody read_body(SceneTable table) {
   SceneBody read{table, {}, {}, 0.0};
   Body& body = read.body;
   body.name = table.text("name");
-  static_cast<void>(table.choice("mobility", {Names<Mobility>::list.begin(), Names<Mobility>::list.end()}));
+  static_cast<void>(table.choice("mobility", names_of<Mobility>()));
   body.mobility = table.choice_or("mobility", Mobility::free);
   for (const std::string_view key : {"mass", "inertia", "moment", "pin", "velocity", "spin", "force"}) {
     if (const std::string_view why = refusal_reason(key, body.mobility); !why.empty()) table.refuse(key, why);

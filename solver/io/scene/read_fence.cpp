@@ -46,7 +46,7 @@ void read_outline(SceneTable& table, FenceElement& element) {
     if (table.has("exponent")) element.outline = scenes::ElementOutline::superquadric;
     table.guard([&] {
       const std::string shape = table.choice("shape", {names.begin() + 1, names.end()});
-      element.outline = static_cast<scenes::ElementOutline>(std::ranges::find(names, shape) - names.begin());
+      element.outline = value_named<scenes::ElementOutline>("shape", shape);
     });
   } else if (table.has("exponent")) {
     table.refuse("power", "found beside exponent (n = 2/power); give one of the two");

@@ -125,11 +125,8 @@ class SceneTable {
   [[nodiscard]] Enum choice_or(std::string_view key, Enum absent) {
     if (!has(key)) return absent;
     std::string name;
-    source_->guard(line_, [&] { name = choice(key, {Names<Enum>::list.begin(), Names<Enum>::list.end()}); });
-    for (std::size_t i = 0; i < Names<Enum>::list.size(); ++i) {
-      if (Names<Enum>::list[i] == name) return static_cast<Enum>(i);
-    }
-    return absent;
+    source_->guard(line_, [&] { name = choice(key, names_of<Enum>()); });
+    return find_named<Enum>(name).value_or(absent);
   }
   /// Calls `read` for a part of the table on which reading the rest does not depend; see SceneSource::guard().
   template <class Read>

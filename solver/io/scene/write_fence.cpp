@@ -60,12 +60,12 @@ std::vector<std::string> lines_of(const std::string& text) {
 }
 
 std::string element_lines(std::string_view head, const FenceElement& element, const UnitSystem& units) {
-  std::string text = fmt::format("\n{}\nsolid = \"{}\"\n", head, choice_name(element.solid));
+  std::string text = fmt::format("\n{}\nsolid = \"{}\"\n", head, name_of(element.solid));
   const bool by_power = element.outline == scenes::ElementOutline::by_power;
   for (const std::string& line : lines_of(number_lines(element, units))) {
     if (by_power || !line.starts_with("power = ")) text += line;
   }
-  if (!by_power) text += fmt::format("shape = \"{}\"\n", choice_name(element.outline));
+  if (!by_power) text += fmt::format("shape = \"{}\"\n", name_of(element.outline));
   if (element.outline == scenes::ElementOutline::superquadric)
     text += fmt::format("exponent = {}\n", quantity(element.exponent, dimension::number, units));
   if (element.along != 0.0) text += fmt::format("along = {}\n", quantity(element.along, dimension::length, units));
@@ -86,11 +86,11 @@ std::string element_lines(std::string_view head, const FenceElement& element, co
 std::string option_lines(const scenes::FenceOptions& options, const UnitSystem& units) {
   std::string text = "\n[fence.options]\n";
   for_each_choice(options, [&](std::string_view name, auto choice) {
-    text += fmt::format("{} = \"{}\"\n", name, choice_name(choice));
+    text += fmt::format("{} = \"{}\"\n", name, name_of(choice));
   });
   std::vector<std::string> watched;
   for (const MonitorRules::Choice& choice : MonitorRules::choices())
-    watched.push_back(fmt::format("{} = \"{}\"", choice.name, choice_name(options.watch.*choice.member)));
+    watched.push_back(fmt::format("{} = \"{}\"", choice.name, name_of(options.watch.*choice.member)));
   text += fmt::format("watch = {{ {} }}\n", fmt::join(watched, ", "));
   text += fmt::format("integrator = \"{}\"\n", options.integrator) + number_lines(options, units);
   if (options.table.empty()) return text;
