@@ -137,12 +137,10 @@ class RequestedCell final : public ResumableRun {
       paused = pause && pause();
     }
     seconds_ += seconds_since(began);
-    if (!run_.failure().empty()) return {Outcome::Kind::diverged, 0.0, run_.failure()};
-    return {run_.finished() ? Outcome::Kind::finished : Outcome::Kind::stopped, 0.0, {}};
+    return run_.outcome();
   }
   bool finish(Outcome& outcome, const Condition&) override {
-    outcome.time = run_.discs().t;
-    outcome_ = {outcome.kind == Outcome::Kind::finished, outcome.message, request_->warnings};
+    outcome_ = {outcome, request_->warnings};
     std::ranges::move(cell_warnings(request_->scene, run_), std::back_inserter(outcome_.warnings));
     return outcome.kind == Outcome::Kind::stopped;
   }

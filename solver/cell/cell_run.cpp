@@ -94,6 +94,11 @@ void CellRun::advance() {
   due_ = loops_ended(steps_) > loops_ended(before) || finished();
 }
 
+Outcome CellRun::outcome() const {
+  if (!failure_.empty()) return {Outcome::Kind::diverged, discs_.t, failure_};
+  return {finished() ? Outcome::Kind::finished : Outcome::Kind::stopped, discs_.t, {}};
+}
+
 /// Steps to the next sample, the next LOOP or the end, whichever is first.
 long CellRun::steps_ahead() const {
   return std::min({sample_every_ - steps_ % sample_every_, next_loop() - steps_, last_step_ - steps_});

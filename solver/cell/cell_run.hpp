@@ -17,6 +17,7 @@
 #include "solver/granular/disc_system.hpp"
 #include "solver/granular/fast_disc_system.hpp"
 #include "solver/granular/virtual_discs.hpp"
+#include "solver/run/outcome.hpp"
 
 namespace talus {
 
@@ -90,6 +91,8 @@ class CellRun {
   bool due() const { return due_; }
   /// Why the run cannot continue; empty while it can.
   const std::string& failure() const { return failure_; }
+  /// The outcome of a run that ends here: it is stopped unless it is finished or cannot continue.
+  Outcome outcome() const;
 
   const ShearCell& cell() const { return cell_; }
   const CellPlan& plan() const { return plan_; }

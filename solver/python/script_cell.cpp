@@ -52,7 +52,7 @@ void ScriptCellRun::show(const Discs& discs) {
 
 CellOutcome ScriptCellRun::outcome() const {
   CellRun& run = idle();
-  CellOutcome outcome{run.finished(), run.failure(), {}};
+  CellOutcome outcome{run.outcome(), {}};
   if (has_ended()) outcome.warnings = app::cell_warnings(scene(), run);
   return outcome;
 }

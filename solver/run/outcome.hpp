@@ -1,6 +1,10 @@
 #pragma once
 
+#include <array>
 #include <string>
+#include <string_view>
+
+#include "solver/base/fields.hpp"
 
 namespace talus {
 
@@ -18,6 +22,11 @@ struct [[nodiscard]] Outcome {
 
   /// Whether the results are valid up to `time`.
   explicit operator bool() const { return kind != Kind::diverged; }
+};
+
+template <>
+struct Names<Outcome::Kind> {
+  static constexpr std::array<std::string_view, 3> list{"finished", "stopped", "diverged"};
 };
 
 }  // namespace talus

@@ -60,7 +60,7 @@ bool advance(CellRun& run, const CellScene& scene) {
   const long first = run.steps();
   while (!run.finished() && run.failure().empty() && run.steps() - first < Bounds::steps)
     run.advance();
-  const CellOutcome outcome{run.failure().empty(), run.failure(), {}};
+  const CellOutcome outcome{run.outcome(), {}};
   if (cell_summary_json(scene, run, outcome).empty() || cell_history(scene, run).columns.empty() ||
       cell_state_vtp(run).empty())
     throw std::logic_error{"a cell without a summary"};

@@ -48,10 +48,9 @@ std::string cell_summary(const CellScene& scene, CellRun& run, const CellOutcome
   const auto add = [&](const char* name, const std::string& value) {
     text += fmt::format("  {:24} {}\n", name, value);
   };
-  const double time = run.discs().t;
-  const std::string kind = outcome.finished ? "finished" : outcome.message.empty() ? "stopped" : "diverged";
-  add("outcome", fmt::format("{} at t = {}{}", kind, with_unit(scene, time, dimension::time),
-                             outcome.message.empty() ? "" : ": " + outcome.message));
+  const Outcome& end = outcome.outcome;
+  add("outcome", fmt::format("{} at t = {}{}", name_of(end.kind), with_unit(scene, end.time, dimension::time),
+                             end ? "" : ": " + end.message));
   add("integrator",
       fmt::format("{}, step {}", scene.plan.integrator, with_unit(scene, scene.plan.step, dimension::time)));
   add("law", law_text(scene, run.cell()));

@@ -264,17 +264,14 @@ std::string cell_csv(const CellScene& scene, const CellTable& table) {
 
 std::string cell_summary_json(const CellScene& scene, CellRun& run, const CellOutcome& outcome,
                               const std::string& resume) {
+  const Outcome& end = outcome.outcome;
   const CellRun::Ledger ledger = run.ledger();
   Json json{{"schema", 2},
             {"title", scene.title},
             {"units", nullptr},
-            {"outcome",
-             {{"kind", std::string{outcome.finished          ? "finished"
-                                   : outcome.message.empty() ? "stopped"
-                                                             : "diverged"}},
-              {"time", json_number(run.discs().t)}}}};
+            {"outcome", {{"kind", name_of(end.kind)}, {"time", json_number(end.time)}}}};
   if (scene.units) json["units"] = std::string{scene.units->name};
-  if (!outcome.message.empty()) json["outcome"]["message"] = outcome.message;
+  if (!end) json["outcome"]["message"] = end.message;
   json["warnings"] = outcome.warnings;
   json["parameters"] = parameters(scene);
   json["groups"] = numbers(scene, cell_groups(scene, run));

@@ -5,6 +5,7 @@
 
 #include "solver/cell/cell_run.hpp"
 #include "solver/io/cell/read_cell.hpp"
+#include "solver/run/outcome.hpp"
 
 namespace talus {
 
@@ -47,10 +48,9 @@ struct CellTable {
 /// history.csv and profile.csv: these tables; headers have units if the scene has.
 [[nodiscard]] std::string cell_csv(const CellScene& scene, const CellTable& table);
 
-/// Outcome of a cell run.
+/// Outcome of a cell run, with its warnings.
 struct CellOutcome {
-  bool finished{};
-  std::string message;  ///< why it did not finish; empty for a run that was stopped
+  Outcome outcome;
   std::vector<std::string> warnings;
 };
 

@@ -1,7 +1,6 @@
 #include "solver/io/output/write_sheet.hpp"
 
 #include <algorithm>
-#include <array>
 #include <nlohmann/json.hpp>
 
 #include "solver/io/output/write_summary.hpp"
@@ -60,8 +59,7 @@ class Sheet {
   }
 
   Json run() const {
-    constexpr std::array kinds{"finished", "stopped", "diverged"};
-    return {{"outcome", kinds.at(static_cast<std::size_t>(record_.outcome.kind))},
+    return {{"outcome", name_of(record_.outcome.kind)},
             {"time", time(record_.outcome.time)},
             {"integrator", record_.integrator},
             {"step", time(record_.plan.step)},

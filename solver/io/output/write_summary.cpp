@@ -1,6 +1,5 @@
 #include "solver/io/output/write_summary.hpp"
 
-#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include "verification/record/json_number.hpp"
@@ -14,8 +13,7 @@ using records::json_number;
 Json components(Vec2 value) { return Json::array({json_number(value.x), json_number(value.y)}); }
 
 Json outcome(const Outcome& outcome) {
-  constexpr std::array kinds{"finished", "stopped", "diverged"};
-  Json json{{"kind", kinds.at(static_cast<std::size_t>(outcome.kind))}, {"time", json_number(outcome.time)}};
+  Json json{{"kind", name_of(outcome.kind)}, {"time", json_number(outcome.time)}};
   if (!outcome) json["message"] = outcome.message;
   return json;
 }

@@ -200,7 +200,7 @@ void expect_restart(Findings& findings, const Setup& setup) {
                        "everything that a step reads is saved");
   expect_rough_restart(findings, cell, plan);
   const CellScene scene{.title = "", .units = {}, .cell = cell, .plan = plan};
-  const CellOutcome outcome{.finished = true, .message = "", .warnings = {}};
+  const CellOutcome outcome{whole.outcome(), {}};
   double differ = cell_csv(scene, cell_history(scene, whole)) == cell_csv(scene, cell_history(scene, rest)) ? 0.0 : 1.0;
   differ += cell_csv(scene, cell_profile(scene, whole)) == cell_csv(scene, cell_profile(scene, rest)) ? 0.0 : 1.0;
   differ += cell_summary_json(scene, whole, outcome, "") == cell_summary_json(scene, rest, outcome, "") ? 0.0 : 1.0;
