@@ -13,7 +13,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int schema = 3;
-constexpr std::array<std::string_view, 3> state_names{"stopped", "not stopped", "open"};
+constexpr std::array<const char*, 3> state_names{"stopped", "not stopped", "open"};
 /// Labels of capacity_outputs in the text.
 constexpr std::array<std::string_view, 6> output_labels{"anchor force",       "cable force",
                                                         "hanger force",       "cable force/limit",
@@ -171,10 +171,9 @@ records::Figure map_figure(const CapacityStudy& study, const RockMap& map, std::
           "equal kinetic energy.",
       .x = {.label = "mass", .unit = std::string{units.mass.name}},
       .y = {.label = "speed", .unit = std::string{units.speed.name}}};
-  constexpr std::array<const char*, 3> labels{"stopped", "not stopped", "open"};
   std::array<records::Series, 3> nodes;
   for (std::size_t state = 0; state < nodes.size(); ++state) {
-    nodes[state].label = labels[state];
+    nodes[state].label = state_names[state];
     nodes[state].style = state == 1 ? records::Style::crosses : records::Style::points;
   }
   for_each_node(map, [&](MapNode node, std::size_t at) {

@@ -1,5 +1,7 @@
 #include "solver/app/capacity/capacity_study.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <bit>
 #include <boost/math/special_functions/erf.hpp>
@@ -9,7 +11,6 @@
 #include <numeric>
 
 #include "solver/base/error.hpp"
-#include "solver/scenes/fence_summary.hpp"
 #include "solver/threads/parallel_for.hpp"
 
 namespace talus::app {
@@ -18,10 +19,10 @@ namespace {
 /// What random numbers are for, so that no two purposes have the same ones.
 enum Purpose : std::uint32_t { for_trials, for_audit, for_hazard, for_rock };
 
-RockEnd end_of(const SweepResult& result) {
+/// Errors: InputError for a finished run whose verdict is not known: its file was changed, or is of another version.
+RockEnd end_of(const SweepResult& result, const SweepFolder& folder) {
   if (result.end != SweepEnd::finished) return RockEnd::failed;
-  const auto& verdicts = Names<scenes::Verdict>::list;
-  return static_cast<RockEnd>(std::ranges::find(verdicts, result.verdict) - verdicts.begin());
+  return value_named<RockEnd>(fmt::format("{}: verdict of run {}", folder.folder.string(), result.id), result.verdict);
 }
 
 /// What the random numbers of a trial are for: place of its node, and height, spin and position of its rocks, which a
@@ -126,7 +127,7 @@ std::optional<std::vector<RockTrial>> CapacityStudy::executed(const std::vector<
   std::vector<RockTrial> trials;
   for (std::size_t i = 0; i < requests.size(); ++i) {
     const SweepResult& result = known_.at(ids[i]);
-    RockTrial trial{requests[i].rock, end_of(result), result.reason, result.values};
+    RockTrial trial{requests[i].rock, end_of(result, *folder_), result.reason, result.values};
     for (std::size_t k = 0; k < trial.outputs.size(); ++k)
       trial.outputs[k] *= si_size(base_->units(), base_->outputs()[k].dimension);
     trials.push_back(std::move(trial));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <map>
@@ -15,6 +16,7 @@
 #include "solver/base/fields.hpp"
 #include "solver/capacity/capacity_map.hpp"
 
+#include "solver/scenes/fence_summary.hpp"
 namespace talus::app {
 
 /// How the run of a rock ended: as the fence's verdict, or without a result that can be used.
@@ -111,7 +113,12 @@ class CapacityStudy {
 namespace talus {
 template <>
 struct Names<app::RockEnd> {
-  static constexpr std::array<std::string_view, 6> list{"stopped",     "undecided",     "passed_under",
-                                                        "passed_over", "broke_through", "failed"};
+  /// The verdicts, then `failed`.
+  static constexpr auto list = [] {
+    std::array<std::string_view, Names<scenes::Verdict>::list.size() + 1> names{};
+    std::ranges::copy(Names<scenes::Verdict>::list, names.begin());
+    names.back() = "failed";
+    return names;
+  }();
 };
 }  // namespace talus
