@@ -36,8 +36,8 @@ class UnitProblem {
 
   double coordinate(std::size_t i) const {
     const FitParameter& p = (*parameters_)[i];
-    return p.logarithmic ? std::log(p.start / p.lower) / std::log(p.upper / p.lower)
-                         : (p.start - p.lower) / (p.upper - p.lower);
+    return p.spacing == Spacing::logarithmic ? std::log(p.start / p.lower) / std::log(p.upper / p.lower)
+                                             : (p.start - p.lower) / (p.upper - p.lower);
   }
   std::vector<double> values(const Vector& u) const {
     std::vector<double> found(size());
@@ -48,7 +48,8 @@ class UnitProblem {
       if (at == 0.0 || at == 1.0) {
         found[i] = at == 0.0 ? p.lower : p.upper;
       } else {
-        found[i] = p.logarithmic ? p.lower * std::pow(p.upper / p.lower, at) : std::lerp(p.lower, p.upper, at);
+        found[i] = p.spacing == Spacing::logarithmic ? p.lower * std::pow(p.upper / p.lower, at)
+                                                     : std::lerp(p.lower, p.upper, at);
       }
     }
     return found;
@@ -56,7 +57,7 @@ class UnitProblem {
   /// Change of a value over that of its coordinate.
   double slope(std::size_t i, double value) const {
     const FitParameter& p = (*parameters_)[i];
-    return p.logarithmic ? value * std::log(p.upper / p.lower) : p.upper - p.lower;
+    return p.spacing == Spacing::logarithmic ? value * std::log(p.upper / p.lower) : p.upper - p.lower;
   }
 
   Vector deviations(const Vector& u, const std::vector<std::size_t>& rows) {

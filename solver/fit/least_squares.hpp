@@ -6,13 +6,15 @@
 #include <functional>
 #include <vector>
 
+#include "solver/base/spacing.hpp"
+
 namespace talus {
 
 /// A parameter that is fitted, between two bounds.
 struct FitParameter {
   double lower{}, upper{};
-  double start{};      ///< where the search begins, within the bounds
-  bool logarithmic{};  ///< fitted by its logarithm; the bounds are > 0 then
+  double start{};                  ///< where the search begins, within the bounds
+  Spacing spacing{Spacing::even};  ///< logarithmic: fitted by its logarithm
 };
 
 /// Deviations of a model from observations, each over its uncertainty: for the parameters, those of the given rows of

@@ -6,13 +6,12 @@
 
 #include "solver/app/calibration/calibrate_options.hpp"
 #include "solver/base/exit_code.hpp"
+#include "solver/base/spacing.hpp"
 #include "solver/base/units.hpp"
 #include "solver/draw/drawing.hpp"
 #include "solver/io/file/quantity_table.hpp"
 
 namespace talus::app {
-
-enum class Spacing { even, logarithmic };
 
 /// The numbers of an axis, in SI units: the first one, the last one (both > 0) and their number, from 2 to 100. Errors:
 /// InputError naming the option.

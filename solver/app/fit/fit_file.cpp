@@ -109,11 +109,11 @@ FittedField read_parameter(SceneTable& table) {
     table.fail("range", fmt::format("found {}; both ends must have the same unit", found(*range)));
   if (!(lower.value < upper.value))
     table.fail("range", fmt::format("found {}; the first must be less than the second", found(*range)));
-  if (table.has("spacing")) parameter.logarithmic = table.choice("spacing", {"even", "logarithmic"}) == "logarithmic";
-  if (parameter.logarithmic && !(lower.value > 0.0))
+  parameter.spacing = table.choice_or("spacing", Spacing::even);
+  const bool is_logarithmic = parameter.spacing == Spacing::logarithmic;
+  if (is_logarithmic && !(lower.value > 0.0))
     table.fail("range", fmt::format("found {}; with spacing = \"logarithmic\" both ends must be > 0", found(*range)));
-  parameter.start =
-      parameter.logarithmic ? std::sqrt(lower.value * upper.value) : std::midpoint(lower.value, upper.value);
+  parameter.start = is_logarithmic ? std::sqrt(lower.value * upper.value) : std::midpoint(lower.value, upper.value);
   if (const TomlValue* const start = table.value("start")) {
     const WrittenNumber written = number_of(table, "start", *start);
     if (written.unit != fitted.unit || !(written.value >= lower.value && written.value <= upper.value))

@@ -192,11 +192,11 @@ SweepAxis read_axis(SceneTable& table, const fs::path& folder) {
   }
   Continuous& made =
       axis.continuous.emplace(range != nullptr ? read_range(table, *range) : read_quantiles(table, *quantiles));
-  made.spacing = table.choice_or("spacing", Continuous::Spacing::even);
-  if (made.spacing == Continuous::Spacing::logarithmic && !(made.quantiles.front().second > 0.0))
+  made.spacing = table.choice_or("spacing", Spacing::even);
+  if (made.spacing == Spacing::logarithmic && !(made.quantiles.front().second > 0.0))
     table.fail("spacing",
                fmt::format("found \"logarithmic\" from {} on; the values must be > 0", made.quantiles.front().second));
-  if (made.whole && made.spacing == Continuous::Spacing::logarithmic)
+  if (made.whole && made.spacing == Spacing::logarithmic)
     table.fail("spacing", "found \"logarithmic\" of whole numbers; write the range with decimals, e.g. 1.0");
   if (table.has("count")) made.count = table.whole_between("count", 2, maximum_runs);
   if (const double numbers = made.quantiles.back().second - made.quantiles.front().second + 1.0;

@@ -10,6 +10,7 @@
 
 #include "solver/base/error.hpp"
 #include "solver/base/fields.hpp"
+#include "solver/base/spacing.hpp"
 #include "solver/io/file/toml_document.hpp"
 #include "solver/io/scene/scene_table.hpp"
 
@@ -23,8 +24,6 @@ struct WrittenNumber {
 
 /// Values between numbers, or according to the quantiles of a distribution.
 struct Continuous {
-  enum class Spacing { even, logarithmic };
-
   std::string unit;
   bool whole{};  ///< whole numbers only
   Spacing spacing{Spacing::even};
@@ -117,9 +116,5 @@ namespace talus {
 template <>
 struct Names<app::DesignKind> {
   static constexpr std::array<std::string_view, 4> list{"grid", "sobol", "latin_hypercube", "random"};
-};
-template <>
-struct Names<app::Continuous::Spacing> {
-  static constexpr std::array<std::string_view, 2> list{"even", "logarithmic"};
 };
 }  // namespace talus

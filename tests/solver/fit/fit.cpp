@@ -37,9 +37,9 @@ std::vector<double> normal_numbers(unsigned seed, std::size_t count) {
 
 BOOST_AUTO_TEST_CASE(exact_data_give_the_parameters) {
   const std::vector<double> none(20);
-  for (const bool is_logarithmic : {false, true}) {
-    const Fit found = fit({{0.1, 10.0, 1.0, is_logarithmic}, {0.01, 20.0, 10.0, is_logarithmic}},
-                          decay(none, 2.5, 1.7, 0.1), {.rows = 20, .samples = 50}, true);
+  for (const Spacing spacing : {Spacing::even, Spacing::logarithmic}) {
+    const Fit found = fit({{0.1, 10.0, 1.0, spacing}, {0.01, 20.0, 10.0, spacing}}, decay(none, 2.5, 1.7, 0.1),
+                          {.rows = 20, .samples = 50}, true);
     BOOST_TEST(found.values[0] == 2.5, boost::test_tools::tolerance(1e-8));
     BOOST_TEST(found.values[1] == 1.7, boost::test_tools::tolerance(1e-8));
     BOOST_TEST(found.sum < 1e-12);
@@ -60,7 +60,7 @@ BOOST_AUTO_TEST_CASE(standard_errors_of_a_line_are_exact) {
       found.push_back((p[0] + p[1] * (static_cast<double>(row) - 1.0) - measured[row]) / 0.5);
     return found;
   };
-  const std::vector<FitParameter> parameters{{-10.0, 10.0, 0.0, false}, {-10.0, 10.0, 0.0, false}};
+  const std::vector<FitParameter> parameters{{-10.0, 10.0, 0.0}, {-10.0, 10.0, 0.0}};
   const Fit absolute = fit(parameters, line, {.rows = 3, .samples = 0}, true);
   BOOST_TEST(absolute.values[0] == 5.5 / 3.0, boost::test_tools::tolerance(1e-9));
   BOOST_TEST(absolute.values[1] == 0.5, boost::test_tools::tolerance(1e-9));
@@ -81,8 +81,7 @@ BOOST_AUTO_TEST_CASE(what_the_data_do_not_determine_is_named) {
       found.push_back(p[0] + p[1] - 3.0 + 0.01 * (row % 2 == 0 ? 1.0 : -1.0));
     return found;
   };
-  const Fit found = fit({{0.0, 10.0, 1.0, false}, {0.0, 10.0, 1.0, false}, {0.0, 1.0, 0.5, false}}, sum,
-                        {.rows = 10, .samples = 0}, true);
+  const Fit found = fit({{0.0, 10.0, 1.0}, {0.0, 10.0, 1.0}, {0.0, 1.0, 0.5}}, sum, {.rows = 10, .samples = 0}, true);
   BOOST_TEST(found.values[0] + found.values[1] == 3.0, boost::test_tools::tolerance(1e-6));
   BOOST_TEST(found.correlation[0][1] < -0.999);
   BOOST_TEST(found.undetermined[2]);
@@ -90,8 +89,8 @@ BOOST_AUTO_TEST_CASE(what_the_data_do_not_determine_is_named) {
 
 BOOST_AUTO_TEST_CASE(a_value_stays_within_its_bounds) {
   const std::vector<double> none(10);
-  const Fit found = fit({{3.0, 10.0, 5.0, false}, {0.0, 5.0, 1.0, false}}, decay(none, 2.0, 1.0, 0.1),
-                        {.rows = 10, .samples = 20}, true);
+  const Fit found =
+      fit({{3.0, 10.0, 5.0}, {0.0, 5.0, 1.0}}, decay(none, 2.0, 1.0, 0.1), {.rows = 10, .samples = 20}, true);
   BOOST_TEST(found.values[0] == 3.0);
   BOOST_TEST(found.at_bound[0]);
   BOOST_TEST(!found.at_bound[1]);
@@ -101,7 +100,7 @@ BOOST_AUTO_TEST_CASE(a_value_stays_within_its_bounds) {
 
 BOOST_AUTO_TEST_CASE(samples_depend_on_the_seed_alone) {
   const std::vector<double> noise = normal_numbers(5, 20);
-  const std::vector<FitParameter> parameters{{0.1, 10.0, 1.0, false}, {0.01, 20.0, 10.0, true}};
+  const std::vector<FitParameter> parameters{{0.1, 10.0, 1.0}, {0.01, 20.0, 10.0, Spacing::logarithmic}};
   const FitModel model = decay(noise, 2.5, 1.7, 0.05);
   const auto samples = [&](std::int64_t seed) {
     return fit(parameters, model, {.rows = 20, .samples = 30, .seed = seed}, true).samples;
@@ -114,23 +113,22 @@ BOOST_AUTO_TEST_CASE(a_model_without_results_is_refused) {
   const FitModel none = [](const std::vector<double>&, const std::vector<std::size_t>& rows) {
     return std::vector<double>(rows.size(), std::nan(""));
   };
-  BOOST_CHECK_THROW(static_cast<void>(fit({{0.0, 1.0, 0.5, false}}, none, {.rows = 5}, true)), InputError);
+  BOOST_CHECK_THROW(static_cast<void>(fit({{0.0, 1.0, 0.5}}, none, {.rows = 5}, true)), InputError);
   const std::vector<double> two(2);
-  BOOST_CHECK_THROW(static_cast<void>(fit({{0.1, 10.0, 1.0, false}, {0.01, 20.0, 10.0, false}},
-                                          decay(two, 1.0, 1.0, 1.0), {.rows = 2}, true)),
-                    InputError);
+  BOOST_CHECK_THROW(
+      static_cast<void>(fit({{0.1, 10.0, 1.0}, {0.01, 20.0, 10.0}}, decay(two, 1.0, 1.0, 1.0), {.rows = 2}, true)),
+      InputError);
   // Where a part of the range has no result, the search continues beside it.
   const FitModel part = [](const std::vector<double>& p, const std::vector<std::size_t>& rows) {
     return std::vector<double>(rows.size(), p[0] > 0.6 ? std::nan("") : p[0] - 0.4);
   };
-  BOOST_TEST(fit({{0.0, 1.0, 0.9, false}}, part, {.rows = 5}, true).values[0] == 0.4,
-             boost::test_tools::tolerance(1e-6));
+  BOOST_TEST(fit({{0.0, 1.0, 0.9}}, part, {.rows = 5}, true).values[0] == 0.4, boost::test_tools::tolerance(1e-6));
   struct Stop {};
   const FitModel stopped = [count = 0](const std::vector<double>& p, const std::vector<std::size_t>& rows) mutable {
     if (++count > 30) throw Stop{};
     return std::vector<double>(rows.size(), p[0] - 0.3);
   };
-  BOOST_CHECK_THROW(static_cast<void>(fit({{0.0, 1.0, 0.9, false}}, stopped, {.rows = 5}, true)), Stop);
+  BOOST_CHECK_THROW(static_cast<void>(fit({{0.0, 1.0, 0.9}}, stopped, {.rows = 5}, true)), Stop);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

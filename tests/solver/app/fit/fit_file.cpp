@@ -32,7 +32,7 @@ BOOST_AUTO_TEST_CASE(all_fields_are_read_and_most_have_defaults) {
   BOOST_TEST(!defaults.has_uncertainties());
   BOOST_TEST(defaults.quantities.at(0).divisors.empty());
   BOOST_TEST(defaults.parameters.at(0).parameter.start == 2.5);
-  BOOST_TEST(!defaults.parameters.at(0).parameter.logarithmic);
+  BOOST_TEST((defaults.parameters.at(0).parameter.spacing == Spacing::even));
   BOOST_TEST(defaults.samples == 200U);
   BOOST_TEST(defaults.seed == 1);
   const FitFile all = read_fit(
@@ -50,7 +50,7 @@ BOOST_AUTO_TEST_CASE(all_fields_are_read_and_most_have_defaults) {
   BOOST_TEST(all.quantities.at(0).divisors == (std::vector<double>{3.0, 4.0, 5.0}), boost::test_tools::per_element());
   BOOST_TEST(all.quantities.at(0).uncertainty.value() == 2.0);
   BOOST_TEST(all.parameters.at(0).parameter.start == 2.0);  // sqrt(1 * 4)
-  BOOST_TEST(all.parameters.at(0).parameter.logarithmic);
+  BOOST_TEST((all.parameters.at(0).parameter.spacing == Spacing::logarithmic));
   BOOST_TEST(all.parameters.at(1).unit == "m");
   BOOST_TEST(all.parameters.at(1).parameter.lower == -1.0);
   BOOST_TEST(all.parameters.at(1).parameter.start == 2.0);

@@ -52,7 +52,7 @@ void check_coverage(Findings& findings, const Setup& setup) {
           found.push_back((overlap(p[0], p[1], times[row]) - measured[row]) / (is_known ? noise : 1.0));
         return found;
       };
-      const Fit found = fit({{50.0, 200.0, 120.0, true}, {0.0, 0.9, 0.5, false}}, model,
+      const Fit found = fit({{50.0, 200.0, 120.0, Spacing::logarithmic}, {0.0, 0.9, 0.5}}, model,
                             {.rows = rows, .samples = 200, .seed = static_cast<std::int64_t>(seed)}, is_known);
       const double shrink = setup.has("half_interval") ? 0.5 : 1.0;
       constexpr std::array truth{w, xi};
@@ -109,7 +109,7 @@ double sample_distance() {
       found.insert(found.end(), {p[0] * x[row] - y[row], 2.0 * p[0] * x[row] - z[row]});
     return found;
   };
-  const Fit found = fit({{lower, upper, 20.0, false}}, model, {.rows = 4, .samples = 400, .seed = 5}, false);
+  const Fit found = fit({{lower, upper, 20.0}}, model, {.rows = 4, .samples = 400, .seed = 5}, false);
   double worst = 0.0;
   for (const std::vector<double>& sample : found.samples) {
     double nearest = upper - lower;
@@ -150,13 +150,13 @@ std::array<double, 2> bound_errors() {
     keep_worst(errors, found.errors[0] - std::sqrt(rows * variance));
     keep_worst(errors, found.errors[1] - std::sqrt(sum_xx * variance));
   };
-  const FitParameter any_slope{-10.0, 10.0, 1.0, false}, any_shift{-10.0, 10.0, 1.0, false};
+  const FitParameter any_slope{-10.0, 10.0, 1.0}, any_shift{-10.0, 10.0, 1.0};
   for (const double a : {2.5, 1.5}) {
-    const FitParameter slope = a > 2.0 ? FitParameter{a, 10.0, 5.0, false} : FitParameter{-10.0, a, 0.0, false};
+    const FitParameter slope = a > 2.0 ? FitParameter{a, 10.0, 5.0} : FitParameter{-10.0, a, 0.0};
     compare(slope, any_shift, a, (sum_y - a * sum_x) / rows, 0);
   }
   for (const double b : {1.0, -1.0}) {
-    const FitParameter shift = b > 0.0 ? FitParameter{b, 10.0, 5.0, false} : FitParameter{-10.0, b, -5.0, false};
+    const FitParameter shift = b > 0.0 ? FitParameter{b, 10.0, 5.0} : FitParameter{-10.0, b, -5.0};
     compare(any_slope, shift, (sum_xy - b * sum_x) / sum_xx, b, 1);
   }
   return {worst, errors};
@@ -172,8 +172,8 @@ double minimum_error() {
       found.push_back(row == 0 ? p[0] * p[0] - 1.0 : 0.3 * (p[0] - 1.0));
     return found;
   };
-  keep_worst(worst, fit({{-3.0, 3.0, -1.2, false}}, two, {.rows = 2, .samples = 0}, false).values[0] - 1.0);
-  for (const bool logarithmic : {false, true}) {
+  keep_worst(worst, fit({{-3.0, 3.0, -1.2}}, two, {.rows = 2, .samples = 0}, false).values[0] - 1.0);
+  for (const Spacing spacing : {Spacing::even, Spacing::logarithmic}) {
     constexpr double lowest = 2.0, centre = 7.3, width = 0.03;
     const FitModel narrow = [](const std::vector<double>& p, const std::vector<std::size_t>& of) {
       const double away = (p[0] - centre) / width;
@@ -182,7 +182,7 @@ double minimum_error() {
         found.push_back((row == 0 ? 1.0 : 0.5) * std::tanh(away));  // constant but for 0.6 around it
       return found;
     };
-    const Fit found = fit({{lowest, 20.0, centre + 0.5 * width, logarithmic}}, narrow,
+    const Fit found = fit({{lowest, 20.0, centre + 0.5 * width, spacing}}, narrow,
                           {.rows = 2, .samples = 0, .maximum_searches = 60}, false);
     keep_worst(worst, found.values[0] - centre);
   }
@@ -209,7 +209,8 @@ double logarithm_error() {
   double worst = 0.0;
   for (const double start : {0.02, 90.0}) {
     for (const bool is_known : {true, false}) {
-      const Fit found = fit({{0.01, 100.0, start, true}}, model, {.rows = x.size(), .samples = 0}, is_known);
+      const Fit found =
+          fit({{0.01, 100.0, start, Spacing::logarithmic}}, model, {.rows = x.size(), .samples = 0}, is_known);
       const double scatter = is_known ? 1.0 : std::sqrt(sum / (static_cast<double>(x.size()) - 1.0));
       keep_worst(worst, found.errors[0] / (std::exp(slope) * scatter / std::sqrt(squares)) - 1.0);
     }
@@ -224,7 +225,7 @@ bool is_undetermined(double fraction) {
   const FitModel model = [&](const std::vector<double>& p, const std::vector<std::size_t>& of) {
     return std::vector<double>(of.size(), p[0] / uncertainty);
   };
-  return fit({{-0.5 * range, 0.5 * range, 1.0, false}}, model, {.rows = 2, .samples = 0}, true).undetermined[0];
+  return fit({{-0.5 * range, 0.5 * range, 1.0}}, model, {.rows = 2, .samples = 0}, true).undetermined[0];
 }
 
 }  // namespace
