@@ -12,6 +12,7 @@ using records::remove_remains;
 
 /// As records::write_whole(): the file appears complete or not at all. Errors: IoError
 /// "out/history.csv: No space left on device"; the file then has its previous content.
+/// Durability is a separate type: an argument of records::Durability would make calls find records::write_whole(), too.
 enum class Durability { now, later };
 void write_whole(const std::filesystem::path& file, std::string_view content, Durability durability = Durability::now);
 
