@@ -36,7 +36,7 @@ py::dict energies(const ScriptSimulation& simulation) {
                  "contacts"_a = energies.contacts, "cables"_a = energies.cables, "total"_a = energies.total());
   const State& state = simulation.seen().state();
   for (std::size_t i = 0; i < mechanism_count; ++i)
-    found[py::str(fmt::format("dissipated.{}", mechanism_names[i]))] = state.work[i];
+    found[py::str(fmt::format("dissipated.{}", name_of(static_cast<Mechanism>(i))))] = state.work[i];
   return found;
 }
 

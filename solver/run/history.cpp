@@ -36,7 +36,7 @@ void add_account_columns(std::vector<Column>& found) {
   for (const std::string_view part : {"kinetic", "gravity", "applied", "contacts", "cables"}) {
     found.push_back({fmt::format("energy.{}", part), dimension::energy});
   }
-  for (const std::string_view mechanism : mechanism_names) {
+  for (const std::string_view mechanism : Names<Mechanism>::list) {
     found.push_back({fmt::format("dissipated.{}", mechanism), dimension::energy});
   }
   found.push_back({"balance_error.energy", dimension::energy});

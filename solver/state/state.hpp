@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "solver/base/fields.hpp"
 #include "solver/state/mode.hpp"
 
 namespace talus {
@@ -22,11 +23,13 @@ enum class Mechanism : std::size_t {
   hanger_break,     ///< energy that cables lost when a hanger between them broke: dissipated > 0
   friction,         ///< sliders of contacts, and the energy of their springs when a contact opens: dissipated > 0
 };
-inline constexpr std::array mechanism_names{std::string_view{"contact_damping"}, std::string_view{"contact_release"},
-                                            std::string_view{"cable_damping"},   std::string_view{"cable_release"},
-                                            std::string_view{"cable_yield"},     std::string_view{"cable_break"},
-                                            std::string_view{"hanger_break"},    std::string_view{"friction"}};
-inline constexpr std::size_t mechanism_count = mechanism_names.size();
+template <>
+struct Names<Mechanism> {
+  static constexpr std::array<std::string_view, 8> list{"contact_damping", "contact_release", "cable_damping",
+                                                        "cable_release",   "cable_yield",     "cable_break",
+                                                        "hanger_break",    "friction"};
+};
+inline constexpr std::size_t mechanism_count = Names<Mechanism>::list.size();
 
 /// Impulse on the moving bodies from outside: x and y components [M L/T], and moment about the world's origin
 /// [M L^2/T], counter-clockwise > 0.

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "solver/base/fields.hpp"
 #include "solver/cell/block_means.hpp"
 #include "solver/cell/cell_plan.hpp"
 
@@ -24,20 +25,21 @@ enum class StudyQuantity : std::size_t {
   order,                    ///< six-fold order, mean over the outputs
   inertial_number,
   largest_overlap,  ///< in diameters
-  count,
 };
-inline constexpr std::size_t study_quantities = static_cast<std::size_t>(StudyQuantity::count);
-/// Names of the quantities in files, in order.
-inline constexpr std::array<std::string_view, study_quantities> study_names{"stress_ratio",
-                                                                            "depth",
-                                                                            "touching",
-                                                                            "multiple_fraction",
-                                                                            "multiple_shear_fraction",
-                                                                            "multiple_stress_ratio",
-                                                                            "binary_stress_ratio",
-                                                                            "order",
-                                                                            "inertial_number",
-                                                                            "largest_overlap"};
+template <>
+struct Names<StudyQuantity> {
+  static constexpr std::array<std::string_view, 10> list{"stress_ratio",
+                                                         "depth",
+                                                         "touching",
+                                                         "multiple_fraction",
+                                                         "multiple_shear_fraction",
+                                                         "multiple_stress_ratio",
+                                                         "binary_stress_ratio",
+                                                         "order",
+                                                         "inertial_number",
+                                                         "largest_overlap"};
+};
+inline constexpr std::size_t study_quantities = Names<StudyQuantity>::list.size();
 
 /// One cell of a study: Talus's ice discs (ice_cell()) with this load, drive and stiffness.
 struct StudyPoint {

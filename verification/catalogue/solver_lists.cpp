@@ -57,7 +57,7 @@ std::vector<Requirement> requirements_of_solver() {
   append(all, "shear_law", FrictionLaws::names(), "friction law");
   append(all, "end_rule", names_of<EndRule>(), "how a contact with a dashpot ends");
   append(all, "method", names_of<ContactMethod>(), "how the overlap of two outlines becomes forces");
-  append(all, "mechanism", {mechanism_names.begin(), mechanism_names.end()}, "how energy leaves bodies and springs");
+  append(all, "mechanism", names_of<Mechanism>(), "how energy leaves bodies and springs");
   append_integrators(all);
   append(all, "shape", shape_names(), "outline of a body");
   append_pairs(all);

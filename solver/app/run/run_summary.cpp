@@ -131,7 +131,8 @@ void ledger(Page& page, const RunRecord& record) {
   page.line("  {:<28}{:>16.8g}", "stored in contacts", energies.contacts);
   page.line("  {:<28}{:>16.8g}", "stored in cables", energies.cables);
   for (std::size_t i = 0; i < mechanism_count; ++i) {
-    page.line("  {:<28}{:>16.8g}", fmt::format("dissipated: {}", mechanism_names[i]), accounts.dissipated[i]);
+    page.line("  {:<28}{:>16.8g}", fmt::format("dissipated: {}", name_of(static_cast<Mechanism>(i))),
+              accounts.dissipated[i]);
   }
   const double scale = record.energy_scale;
   page.line("  {:<28}{:>16.3e}   largest {:.3e}, {:.3e} of the largest energy {:.6g}", "balance error",

@@ -206,7 +206,8 @@ Json Sheet::energy() const {
   };
   Json dissipated = Json::object();
   for (std::size_t i = 0; i < mechanism_count; ++i)
-    dissipated[std::string{mechanism_names[i]}] = in_si(record_.accounts.dissipated[i], dimension::energy);
+    dissipated[std::string{name_of(static_cast<Mechanism>(i))}] =
+        in_si(record_.accounts.dissipated[i], dimension::energy);
   return {{"start", parts(record_.start_energies)},
           {"end", parts(record_.accounts.energies)},
           {"dissipated", dissipated},

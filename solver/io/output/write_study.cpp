@@ -48,7 +48,7 @@ std::string study_text(const std::vector<StudyMean>& study, const std::vector<Ve
 
 std::string study_csv(const std::vector<StudyMean>& study) {
   std::vector<std::string> names{"series", "overburden [Pa]", "speed [D/s]", "stiffness", "seed"};
-  for (const std::string_view name : study_names)
+  for (const std::string_view name : Names<StudyQuantity>::list)
     names.push_back(fmt::format("{}{}", name, name == "depth" || name == "largest_overlap" ? " [D]" : ""));
   records::CsvText text{names};
   for (const StudyMean& point : study) {

@@ -35,7 +35,7 @@ Json ledger(const RunRecord& record) {
   const Energies& e = accounts.energies;
   Json dissipated = Json::object();
   for (std::size_t i = 0; i < mechanism_count; ++i)
-    dissipated[std::string{mechanism_names[i]}] = json_number(accounts.dissipated[i]);
+    dissipated[std::string{name_of(static_cast<Mechanism>(i))}] = json_number(accounts.dissipated[i]);
   return {{"energy",
            {{"kinetic", json_number(e.kinetic)},
             {"gravity", json_number(e.gravity)},

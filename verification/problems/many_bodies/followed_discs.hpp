@@ -59,7 +59,7 @@ void follow(const Packing& start, const L& law, const FollowPlan& plan, See&& se
     if (!plan.contacts_left_out) stress = stress + 1.0 / area * contacts.virial;
     double lost = 0.0;
     if constexpr (L::memory_size > 0) lost = system.lost();
-    if (lost > 0.0) record_use(fmt::format("mechanism.{}", mechanism_names[static_cast<std::size_t>(L::dissipation)]));
+    if (lost > 0.0) record_use(fmt::format("mechanism.{}", name_of(L::dissipation)));
     see(SeenDiscs{static_cast<double>(n) * plan.step, motion.pressure() / count, motion.pressure(), stress, contacts,
                   lost, discs});
     system.drift(discs, plan.step);

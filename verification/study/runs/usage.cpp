@@ -40,7 +40,7 @@ void record_pair(const Shape& a, const Shape& b) {
 
 void record_mechanisms(const State& state) {
   for (std::size_t i = 0; i < mechanism_count; ++i) {
-    if (state.work[i] != 0.0) record_use("mechanism." + std::string{mechanism_names[i]});
+    if (state.work[i] != 0.0) record_use("mechanism." + std::string{name_of(static_cast<Mechanism>(i))});
   }
 }
 
