@@ -265,57 +265,6 @@ void add_verdict(Totals::Items& items, bool before, bool after) {
 
 }  // namespace
 
-const char* name_of(Presence presence) {
-  switch (presence) {
-    case Presence::both:
-      return "both";
-    case Presence::added:
-      return "new";
-    case Presence::gone:
-      return "gone";
-    case Presence::removed:
-      return "removed";
-  }
-  TALUS_DEMAND(false && "a presence outside its enumeration");
-  return "";
-}
-
-const char* name_of(Movement movement) {
-  switch (movement) {
-    case Movement::identical:
-      return "identical";
-    case Movement::round_off:
-      return "round_off";
-    case Movement::changed:
-      return "changed";
-  }
-  TALUS_DEMAND(false && "a movement outside its enumeration");
-  return "";
-}
-
-const char* name_of(Reason reason) {
-  switch (reason) {
-    case Reason::status:
-      return "status";
-    case Reason::verdict:
-      return "verdict";
-    case Reason::gone:
-      return "gone";
-    case Reason::unit:
-      return "unit";
-    case Reason::value:
-      return "value";
-    case Reason::margin:
-      return "error/bound";
-    case Reason::evaluations:
-      return "evaluations";
-    case Reason::round_off:
-      return "round_off";
-  }
-  TALUS_DEMAND(false && "a reason outside its enumeration");
-  return "";
-}
-
 double round_off_limit(Kind kind) { return kind == Kind::round_off ? 1.0 : 1e-9; }
 
 double change_scale(const RecordedCheck& before) {

@@ -1,13 +1,16 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "verification/driver/recorded_results.hpp"
 #include "verification/driver/renames.hpp"
+#include "verification/record/names.hpp"
 
 namespace talus::verification {
 
@@ -53,10 +56,8 @@ enum class Reason {
   round_off,    ///< The measured value changed by more than its tolerance, but within round-off.
 };
 
-/// Names of these values in baseline.json.
-[[nodiscard]] const char* name_of(Presence presence);
-[[nodiscard]] const char* name_of(Movement movement);
-[[nodiscard]] const char* name_of(Reason reason);
+/// Of the enums above: their names in baseline.json.
+using records::name_of;
 
 /// Largest change of a measured value that counts as round-off, in units of the check's bound: 1e-9, so that it takes
 /// 1e9 such changes in the same direction to use up the bound once, and no verdict depends on one; 1 for checks of kind
@@ -141,3 +142,30 @@ void validate(const RecordedResults& before, Tier tier, const Allowance& allowan
               const std::vector<std::string>& registered);
 
 }  // namespace talus::verification
+
+namespace talus::records {
+template <>
+struct Names<verification::Presence> {
+  using enum verification::Presence;
+  static constexpr std::array values{std::pair{both, "both"}, std::pair{added, "new"}, std::pair{gone, "gone"},
+                                     std::pair{removed, "removed"}};
+};
+template <>
+struct Names<verification::Movement> {
+  using enum verification::Movement;
+  static constexpr std::array values{std::pair{identical, "identical"}, std::pair{round_off, "round_off"},
+                                     std::pair{changed, "changed"}};
+};
+template <>
+struct Names<verification::Reason> {
+  using enum verification::Reason;
+  static constexpr std::array values{std::pair{status, "status"},
+                                     std::pair{verdict, "verdict"},
+                                     std::pair{gone, "gone"},
+                                     std::pair{unit, "unit"},
+                                     std::pair{value, "value"},
+                                     std::pair{margin, "error/bound"},
+                                     std::pair{evaluations, "evaluations"},
+                                     std::pair{round_off, "round_off"}};
+};
+}  // namespace talus::records
