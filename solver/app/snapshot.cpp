@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <memory>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -20,12 +21,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// The name of all views together.
+constexpr std::string_view both_views = "both";
+
 /// Options of `talus snapshot`, corresponding to GPLOT's dialogue.
 struct SnapshotOptions {
   std::string folder;
   std::vector<std::string> times;
   int count{9};
-  std::string view{"side"};
+  std::string view{name_of(View::side)};
   std::vector<double> window;
   bool numbers{false};
   bool no_grid{false};
@@ -104,8 +108,8 @@ void add_pages(std::vector<reports::Page>& pages, const Drawn& drawn, View view,
   FrameStyle style{view, window_of(drawn, view), options.numbers, !options.no_grid, options.divisions};
   if (!options.window.empty())
     style.window = {options.window[0], options.window[1], options.window[2], options.window[3]};
-  const std::string stem = fmt::format("{}_{}", options.picture.name.empty() ? "snapshot" : options.picture.name,
-                                       view == View::side ? "side" : "along");
+  const std::string stem =
+      fmt::format("{}_{}", options.picture.name.empty() ? "snapshot" : options.picture.name, name_of(view));
   reports::Page page{.name = stem,
                      .title = options.picture.title.empty() ? drawn.run.title : options.picture.title,
                      .panels = {},
@@ -125,7 +129,7 @@ void add_pages(std::vector<reports::Page>& pages, const Drawn& drawn, View view,
 /// The pages of the chosen states. `drawn`: DrawnGeometry or DrawnDiscs.
 template <class Drawn>
 DrawingRequest snapshot(const Drawn& drawn, const SnapshotOptions& options, std::vector<std::string> notes) {
-  if (options.view != "side" && !drawn.has_depth) {
+  if (options.view != name_of(View::side) && !drawn.has_depth) {
     throw InputError{fmt::format("--view: found \"{}\"; the run in '{}' is plane; this view requires a fence",
                                  options.view, options.folder)};
   }
@@ -136,8 +140,8 @@ DrawingRequest snapshot(const Drawn& drawn, const SnapshotOptions& options, std:
       .formats = picture.formats,
       .notes = std::move(notes)};
   std::vector<reports::Page>& pages = request.pictures.pages;
-  if (options.view != "along") add_pages(pages, drawn, View::side, options);
-  if (options.view != "side") add_pages(pages, drawn, View::along, options);
+  for (const View view : {View::side, View::along})
+    if (options.view == both_views || options.view == name_of(view)) add_pages(pages, drawn, view, options);
   return request;
 }
 
@@ -165,8 +169,10 @@ Command add_snapshot(CLI::App& talus, const DrawingSink& sink) {
   app->add_option("--count", options->count, "number of states, evenly over the run; default 9")
       ->check(whole_between(1, 60))
       ->excludes(times);
+  std::vector<std::string> views = names_of<View>();
+  views.emplace_back(both_views);
   app->add_option("--view", options->view, "side (x, y), along (z, y: the fence from the front) or both; default side")
-      ->check(CLI::IsMember({"side", "along", "both"}));
+      ->check(CLI::IsMember(views));
   app->add_option("--window", options->window, "x-min y-min x-max y-max (along: z for x); default: all that moves")
       ->expected(4);
   app->add_flag("--numbers", options->numbers, "numbers of elements or discs");

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <array>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "solver/base/fields.hpp"
 #include "solver/draw/frame_style.hpp"
 #include "solver/io/output/read_geometry.hpp"
 
@@ -45,3 +48,10 @@ struct DrawnDiscs {
 [[nodiscard]] std::optional<records::Scale> colour_scale(const DrawnDiscs& drawn);
 
 }  // namespace talus::app
+
+namespace talus {
+template <>
+struct Names<app::DiscColour> {
+  static constexpr std::array<std::string_view, 2> list{"speed", "force"};
+};
+}  // namespace talus

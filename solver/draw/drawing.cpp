@@ -14,6 +14,7 @@
 #include "reports/report.hpp"
 #include "solver/base/error.hpp"
 #include "solver/io/file/atomic_file.hpp"
+#include "solver/draw/disc_drawing.hpp"
 #include "solver/io/file/quantity_text.hpp"
 
 namespace talus::app {
@@ -34,7 +35,7 @@ void add_picture_options(CLI::App& app, PictureOptions& options) {
 void add_colour_option(CLI::App& app, PictureOptions& options) {
   app.add_option("--colour", options.colour,
                  "what colours discs: speed, or force, the sum of a disc's contact forces; default speed")
-      ->check(CLI::IsMember({"speed", "force"}));
+      ->check(CLI::IsMember(names_of<DiscColour>()));
 }
 
 double option_time(const std::string& option, const std::string& text, const RunFolder& run, bool positive) {

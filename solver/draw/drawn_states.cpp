@@ -18,7 +18,7 @@ std::vector<GeometryFile> state_files(const RunFolder& run) {
 
 DrawnStates read_states(const RunFolder& run, const std::vector<GeometryFile>& files, const std::string& colour) {
   const ElapsedTime elapsed{"reading the states"};
-  if (run.files.period) return read_disc_frames(run, files, colour == "force" ? DiscColour::force : DiscColour::speed);
+  if (run.files.period) return read_disc_frames(run, files, find_named<DiscColour>(colour).value_or(DiscColour::speed));
   if (!colour.empty()) {
     throw InputError{fmt::format("--colour: found \"{}\"; {} holds bodies and cables, and only discs are coloured so",
                                  colour, run.folder.string())};

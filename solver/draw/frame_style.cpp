@@ -17,7 +17,7 @@ records::Figure frame_figure(const RunFolder& run, const FrameStyle& style, cons
                          .max = high,
                          .divisions = style.divisions.empty() ? 0 : style.divisions[which]};
   };
-  return {.name = fmt::format("{}{}", style.view == View::side ? "side" : "along", frame.number),
+  return {.name = fmt::format("{}{}", name_of(style.view), frame.number),
           .title = fmt::format("t = {:.4g}{}{}", frame.time, time.empty() ? "" : " ", time),
           .caption = "",
           .x = axis(frame.abscissa, window.left, window.right, 0),

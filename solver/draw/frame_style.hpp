@@ -1,9 +1,12 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "solver/base/fields.hpp"
 #include "solver/base/vec.hpp"
 #include "solver/io/output/run_folder.hpp"
 #include "verification/record/figure.hpp"
@@ -53,3 +56,10 @@ void add_polyline(records::Series& shapes, const std::vector<Vec2>& points);
                                                          double largest);
 
 }  // namespace talus::app
+
+namespace talus {
+template <>
+struct Names<app::View> {
+  static constexpr std::array<std::string_view, 2> list{"side", "along"};
+};
+}  // namespace talus

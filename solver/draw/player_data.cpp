@@ -295,7 +295,7 @@ std::string player_json(const DrawnDiscs& drawn, const SavedRun& histories, cons
       {"quantum", quantum},
       {"radii", std::move(radii)},
       {"walls", std::move(walls)},
-      {"colour", drawn.colour == DiscColour::speed ? "speed" : "force"},
+      {"colour", name_of(drawn.colour)},
       {"largest", {{"speed", rounded(speed)}, {"force", rounded(largest_value(drawn, DiscColour::force))}}},
       {"contact", rounded(drawn.largest_force)},
       {"widest", rounded(widest_bar(drawn))}};
