@@ -1,6 +1,7 @@
 /// talus_report: reads records and writes Markdown, HTML, PDF and pictures.
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
@@ -23,7 +24,7 @@ struct Options {
   std::vector<std::string> sketches;
   std::string title;
   bool check{};
-  std::vector<std::string> formats{"svg", "pdf", "png"};
+  std::vector<std::string> formats{talus::reports::default_formats()};
   unsigned jobs{std::max(1U, std::thread::hardware_concurrency())};
 };
 
@@ -47,9 +48,10 @@ void describe(CLI::App& app, Options& options) {
   app.add_option("--sketches", options.sketches, "pages of cases (Markdown): draw their sketches in --to");
   app.add_option("--title", options.title, "title of the site; default the first page's");
   app.add_option("--format", options.formats,
-                 "formats of --plot and --sketches, from ps, pdf, svg, png; default the last three")
+                 fmt::format("formats of --plot and --sketches, from {}; default the last three",
+                             fmt::join(talus::reports::picture_formats, ", ")))
       ->delimiter(',')
-      ->check(CLI::IsMember({"ps", "pdf", "svg", "png"}));
+      ->check(CLI::IsMember(talus::reports::picture_formats));
   app.add_option("--jobs", options.jobs, "processes at a time; default the number of cores")
       ->check(talus::whole_between(1, 1024));
 }

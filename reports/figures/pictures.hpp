@@ -1,6 +1,7 @@
 /// The pictures of a run, as values: figures with their points, pages and animations, and players.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,6 +9,13 @@
 #include "reports/base/record.hpp"
 
 namespace talus::reports {
+
+/// Formats in which figures and pages can be drawn: PostScript, PDF, SVG and PNG.
+inline constexpr std::array picture_formats{"ps", "pdf", "svg", "png"};
+/// Those that are drawn unless others are requested: all but PostScript.
+[[nodiscard]] inline std::vector<std::string> default_formats() {
+  return {picture_formats.begin() + 1, picture_formats.end()};
+}
 
 /// Figures in rows and columns under one title. Shapes with a label are explained once, below all panels.
 struct Page {

@@ -1,6 +1,7 @@
 #include "solver/draw/drawing.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -13,17 +14,18 @@
 #include "reports/base/error.hpp"
 #include "reports/report.hpp"
 #include "solver/base/error.hpp"
-#include "solver/io/file/atomic_file.hpp"
 #include "solver/draw/disc_drawing.hpp"
+#include "solver/io/file/atomic_file.hpp"
 #include "solver/io/file/quantity_text.hpp"
 
 namespace talus::app {
 namespace fs = std::filesystem;
 
 void add_format_option(CLI::App& app, PictureOptions& options) {
-  app.add_option("--format", options.formats, "formats, from ps, pdf, svg, png; default the last three")
+  app.add_option("--format", options.formats,
+                 fmt::format("formats, from {}; default the last three", fmt::join(reports::picture_formats, ", ")))
       ->delimiter(',')
-      ->check(CLI::IsMember({"ps", "pdf", "svg", "png"}));
+      ->check(CLI::IsMember(reports::picture_formats));
 }
 
 void add_picture_options(CLI::App& app, PictureOptions& options) {

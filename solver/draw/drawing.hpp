@@ -16,7 +16,7 @@ namespace talus::app {
 
 /// Picture options of all drawing commands.
 struct PictureOptions {
-  std::vector<std::string> formats{"svg", "pdf", "png"};
+  std::vector<std::string> formats{reports::default_formats()};
   std::string folder;  ///< empty: plots/ in the run's folder
   std::string name;    ///< file stem; empty: the command's default
   std::string title;   ///< empty: the run's title
