@@ -6,8 +6,8 @@
 
 namespace talus::records {
 
-void demand_shallow_json(std::string_view text, const std::filesystem::path& file) {
-  std::size_t depth = 0, line = 1;
+void demand_shallow_json(std::string_view text, const std::filesystem::path& file, std::size_t line) {
+  std::size_t depth = 0;
   bool in_string = false;
   for (std::size_t i = 0; i < text.size(); ++i) {
     const char c = text[i];

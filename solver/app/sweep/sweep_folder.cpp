@@ -14,6 +14,7 @@
 
 #include "solver/base/error.hpp"
 #include "solver/io/file/atomic_file.hpp"
+#include "solver/io/file/json_text.hpp"
 #include "solver/io/file/toml_document.hpp"
 #include "solver/io/output/checkpoint.hpp"
 #include "verification/record/json_fault.hpp"
@@ -61,9 +62,9 @@ std::set<fs::path> result_files(const fs::path& folder) {
 
 template <class Read>
 void for_each_line(const fs::path& file, Read&& read) {
-  int number = 0;
+  std::size_t number = 0;
   for (const std::string& line : whole_lines(read_text(file))) {
-    ++number;
+    demand_shallow_json(line, file, ++number);
     try {
       read(line);
     } catch (const InputError& error) {
@@ -79,7 +80,7 @@ SweepFolder read_description(const fs::path& folder, std::size_t& count) {
   sweep.folder = folder;
   const fs::path file = folder / description_name;
   try {
-    const Json json = Json::parse(read_text(file));
+    const Json json = Json::parse(read_json_text(file));
     if (const int found = json.at("schema").get<int>(); found != schema)
       throw InputError{fmt::format("{}: found schema {}; it must be {}", file.string(), found, schema)};
     sweep.title = json.at("title").get<std::string>();

@@ -9,12 +9,16 @@ namespace talus {
 
 std::string read_json_text(const std::filesystem::path& file) {
   std::string text = read_text(file);
+  demand_shallow_json(text, file);
+  return text;
+}
+
+void demand_shallow_json(std::string_view text, const std::filesystem::path& file, std::size_t line) {
   try {
-    records::demand_shallow_json(text, file);
+    records::demand_shallow_json(text, file, line);
   } catch (const records::RecordError& error) {
     throw InputError{error.what()};
   }
-  return text;
 }
 
 }  // namespace talus

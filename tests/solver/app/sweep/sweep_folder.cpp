@@ -1,0 +1,39 @@
+#include "solver/app/sweep/sweep_folder.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <string>
+
+#include "solver/base/error.hpp"
+#include "tests/solver/io/folder.hpp"
+
+BOOST_AUTO_TEST_SUITE(sweep_folder_tests)
+
+using namespace talus;
+using namespace talus::app;
+
+// Accepted by the JSON library, but copying or printing such a value would recurse for each level.
+BOOST_AUTO_TEST_CASE(json_that_is_nested_too_deeply) {
+  const Folder folder;
+  SweepFolder sweep;
+  sweep.folder = folder.path;
+  sweep.outputs = {"ball.y.end"};
+  write_sweep_folder(sweep);
+  const std::string deep = "{\"id\": " + std::string(100'000, '[') + std::string(100'000, ']') + "}\n";
+  const SweepResult result{"12", SweepEnd::finished, "", 0.1, 7, "", {1.0}};
+  const auto refused = [](const std::string& start) {
+    return [start](const InputError& error) {
+      const std::string what = error.what();
+      return what.find(start + "found lists and objects nested deeper than 64 levels") != std::string::npos;
+    };
+  };
+  folder.file("results/1.jsonl", result_line(result, sweep.key()) + "\n" + deep);
+  BOOST_CHECK_EXCEPTION(static_cast<void>(all_results(sweep)), InputError, refused("1.jsonl: line 2: "));
+  folder.file("manifest.jsonl", deep);
+  BOOST_CHECK_EXCEPTION(static_cast<void>(read_sweep_folder(sweep.folder)), InputError,
+                        refused("manifest.jsonl: line 1: "));
+  folder.file("sweep.json", "\n" + deep);
+  BOOST_CHECK_EXCEPTION(static_cast<void>(read_sweep_folder(sweep.folder)), InputError,
+                        refused("sweep.json: line 2: "));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
