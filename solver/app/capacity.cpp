@@ -93,8 +93,7 @@ int capacity(const CapacityOptions& options, const DrawingSink& sink) {
     count(map.audit);
   }
   count(study.hazard());
-  if (failed == 0) return ok;
-  return failed == all ? diverged : some_failed;
+  return exit_of_runs(failed, all);
 }
 
 }  // namespace

@@ -9,7 +9,6 @@
 #include <functional>
 #include <map>
 #include <memory>
-#include <mutex>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -20,6 +19,7 @@
 #include "solver/app/interruption.hpp"
 #include "solver/app/sweep/dakota.hpp"
 #include "solver/app/sweep/engine.hpp"
+#include "solver/app/sweep/executed_runs.hpp"
 #include "solver/app/sweep/sweep_file.hpp"
 #include "solver/app/sweep/sweep_folder.hpp"
 #include "solver/app/sweep/sweep_function.hpp"
@@ -32,7 +32,6 @@
 #include "solver/io/fence_file.hpp"
 #include "solver/io/file/atomic_file.hpp"
 #include "solver/io/file/folder_lock.hpp"
-#include "solver/threads/parallel_for.hpp"
 
 namespace talus::app {
 namespace {
@@ -72,11 +71,6 @@ Shard shard_of(const std::string& text) {
   }
   throw InputError{
       fmt::format("--shard: found \"{}\"; it must be I/N, part I from 1 to N of N parts, at most 1000000", text)};
-}
-
-int exit_of(const SweepCounts& counts) {
-  if (counts.failed() == 0) return ok;
-  return counts.failed() == counts.done() ? diverged : some_failed;
 }
 
 /// A time as text; below 10 s with two digits.
@@ -197,14 +191,13 @@ int plan(const SweepOptions& options) {
   return ok;
 }
 
-/// The number of runs that are done, shown while threads add to it.
+/// The number of runs that are done, shown while it grows.
 class RunCounter {
  public:
   /// `before` of `all` runs were done before.
   RunCounter(std::size_t before, std::size_t all) : before_{before}, all_{all} {}
 
   void add() {
-    const std::lock_guard one{mutex_};
     ++done_;
     if (!line_.due()) return;
     const double elapsed = std::chrono::duration<double>(Clock::now() - start_).count();
@@ -214,7 +207,6 @@ class RunCounter {
 
  private:
   Progress line_;
-  std::mutex mutex_;
   std::size_t before_, all_, done_{};
   Clock::time_point start_{Clock::now()};
 };
@@ -256,17 +248,9 @@ int run(const SweepOptions& options) {
   }
   Interruption interruption;
   const auto interrupted = [&] { return interruption.signal() != 0; };
-  if (!missing.empty()) {
-    ResultFile file{part};
+  {
     RunCounter counter{part.runs.size() - missing.size(), part.runs.size()};
-    parallel_for(missing.size(), options.threads, [&](std::size_t i) {
-      if (interrupted()) return;
-      const SweepResult result = base.result(*missing[i], part.limits, interrupted);
-      if (result.id.empty()) return;
-      file.add(result);
-      counter.add();
-    });
-    file.flush();
+    execute(part, base, missing, options.threads, interrupted, [&](SweepResult&&) { counter.add(); });
   }
   const KnownResults known = read_results(part);
   const SweepCounts counts = counts_of(part, known);
@@ -278,7 +262,7 @@ int run(const SweepOptions& options) {
                               counts.missing()));
     return 128 + interruption.signal();
   }
-  return exit_of(counts);
+  return exit_of_runs(counts.failed(), counts.done());
 }
 
 int status(const SweepOptions& options) {
@@ -325,7 +309,7 @@ int collect(const SweepOptions& options) {
   write_whole(csv, sweep_csv(sweep, known, base));
   write_whole(json, sweep_json(sweep, known, base));
   fmt::print("{}\n{}\n{}\n", counts.text(""), csv.string(), json.string());
-  return exit_of(counts);
+  return exit_of_runs(counts.failed(), counts.done());
 }
 
 /// Runs an engine with its progress, until it ends. A signal to this process ends it: GNU parallel ends its parts at
@@ -381,7 +365,7 @@ int submit(const SweepOptions& options) {
                                 counts.runs, ended.status, ended.messages)};
     }
     fmt::print("{}\n", counts.text(" done"));
-    return exit_of(counts);
+    return exit_of_runs(counts.failed(), counts.done());
   } catch (const reports::OutputError& error) {
     throw IoError{error.what()};
   }
@@ -431,11 +415,13 @@ int evaluate(const SweepOptions& options) {
   std::vector<SweepResult> results(points.size());
   {
     RunCounter counter{0, points.size()};
-    parallel_for(points.size(), options.threads, [&](std::size_t i) {
-      if (interrupted()) return;
-      results[i] = function(points[i].point, interrupted);
-      counter.add();
-    });
+    for_each_executed(
+        points.size(), options.threads, interrupted,
+        [&](std::size_t i) { return function(points[i].point, interrupted); },
+        [&](std::size_t i, SweepResult&& result) {
+          results[i] = std::move(result);
+          counter.add();
+        });
   }
   if (std::ranges::any_of(results, [](const SweepResult& of) { return of.id.empty(); })) {
     print_failure(fmt::format("{}: no results were written", interruption.name()));

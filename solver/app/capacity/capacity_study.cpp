@@ -6,12 +6,11 @@
 #include <bit>
 #include <boost/math/special_functions/erf.hpp>
 #include <cmath>
-#include <mutex>
 #include <numbers>
 #include <numeric>
 
+#include "solver/app/sweep/executed_runs.hpp"
 #include "solver/base/error.hpp"
-#include "solver/threads/parallel_for.hpp"
 
 namespace talus::app {
 namespace {
@@ -99,30 +98,20 @@ Rock CapacityStudy::rock_at(const RockMap& map, MapNode node) const {
 
 std::optional<std::vector<RockTrial>> CapacityStudy::executed(const std::vector<Request>& requests) {
   std::vector<std::string> ids;
-  std::vector<std::size_t> missing;  // in runs_
+  const std::size_t before = runs_.size();
   for (const Request& request : requests) {
     SweptRun run = rocks_->run(request.rock, random_numbers(file_->seed, request.purpose));
     ids.push_back(run.id);
-    const auto [at, is_new] = numbers_.emplace(run.id, runs_.size());
-    if (!is_new) continue;
-    if (!known_.contains(run.id)) missing.push_back(runs_.size());
-    runs_.push_back(std::move(run));
+    if (ids_.insert(run.id).second) runs_.push_back(std::move(run));
   }
-  if (!missing.empty()) {
-    ResultFile file{*folder_};
-    std::mutex one_at_a_time;
-    parallel_for(missing.size(), threads_, [&](std::size_t i) {
-      if (interrupted_()) return;
-      SweepResult result = base_->result(runs_[missing[i]], folder_->limits, interrupted_);
-      if (result.id.empty()) return;
-      file.add(result);
-      const std::lock_guard one{one_at_a_time};
-      std::string id = result.id;
-      known_.emplace(std::move(id), std::move(result));
-      progress_(known_.size());
-    });
-    file.flush();
-  }
+  std::vector<const SweptRun*> missing;
+  for (std::size_t i = before; i < runs_.size(); ++i)
+    if (!known_.contains(runs_[i].id)) missing.push_back(&runs_[i]);
+  execute(*folder_, *base_, missing, threads_, interrupted_, [&](SweepResult&& result) {
+    std::string id = result.id;
+    known_.emplace(std::move(id), std::move(result));
+    progress_(known_.size());
+  });
   if (interrupted_()) return {};
   std::vector<RockTrial> trials;
   for (std::size_t i = 0; i < requests.size(); ++i) {

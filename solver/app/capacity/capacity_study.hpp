@@ -5,6 +5,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,8 +16,8 @@
 #include "solver/app/sweep/sweep_folder.hpp"
 #include "solver/base/fields.hpp"
 #include "solver/capacity/capacity_map.hpp"
-
 #include "solver/scenes/fence_summary.hpp"
+
 namespace talus::app {
 
 /// How the run of a rock ended: as the fence's verdict, or without a result that can be used.
@@ -105,7 +106,7 @@ class CapacityStudy {
   std::vector<RockMap> maps_;
   RockTrials hazard_;
   std::vector<SweptRun> runs_;
-  std::map<std::string, std::size_t> numbers_;  ///< in runs_, by id
+  std::set<std::string> ids_;  ///< of these
 };
 
 }  // namespace talus::app

@@ -9,10 +9,10 @@
 #include <numeric>
 #include <string_view>
 
+#include "solver/app/sweep/executed_runs.hpp"
 #include "solver/app/sweep/sweep_function.hpp"
 #include "solver/base/error.hpp"
-#include "solver/io/fence_file.hpp"
-#include "solver/threads/parallel_for.hpp"
+#include "solver/io/file/toml_document.hpp"
 
 namespace talus::app {
 namespace {
@@ -109,10 +109,10 @@ std::vector<double> FitStudy::results(const std::vector<double>& parameters, con
   const std::size_t width = sources_.size();
   std::vector<double> found(rows.size() * width, std::numeric_limits<double>::quiet_NaN());
   std::vector<std::string> reasons(rows.size());
-  parallel_for(rows.size(), threads_, [&](std::size_t i) {
-    if (interrupted_()) return;
-    const SweepResult result = base_.result(run(parameters, rows[i]), file_->limits, interrupted_);
-    if (result.id.empty()) return;  // interrupted
+  const auto result_of = [&](std::size_t i) {
+    return base_.result(run(parameters, rows[i]), file_->limits, interrupted_);
+  };
+  for_each_executed(rows.size(), threads_, interrupted_, result_of, [&](std::size_t i, const SweepResult& result) {
     // Also a run that is not usable has no result, and one without a number that is compared.
     reasons[i] = result.end == SweepEnd::finished ? failure_of(result) : result.reason;
     if (!reasons[i].empty()) return;
