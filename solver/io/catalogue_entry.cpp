@@ -98,7 +98,7 @@ CatalogueField units_field() {
   return required({.name = "units",
                    .meaning = "unit system of the results; quantities in the file may have any units",
                    .form = Form::name,
-                   .names = {std::string{si.name}, std::string{us.name}}});
+                   .names = unit_system_names()});
 }
 
 CatalogueField integrator_field(std::vector<std::string> names, std::string absent) {

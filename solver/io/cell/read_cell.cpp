@@ -309,12 +309,6 @@ void complete(const SceneTable& table, std::optional<double> restitution, ShearC
 
 bool is_deck(std::string_view name) { return name.ends_with(".DAT") || name.ends_with(".dat"); }
 
-bool on(SceneTable& table, std::string_view key) {
-  bool is_on = false;
-  if (table.has(key)) table.guard([&] { is_on = table.choice(key, {"on", "off"}) == "on"; });
-  return is_on;
-}
-
 /// All keys that [run] of a cell may have.
 std::vector<std::string> run_keys() {
   std::vector<std::string> keys = field_names<CellPlan>();
@@ -326,10 +320,10 @@ void read_run_table(SceneTable& run, CellScene& scene) {
   run.allow(run_keys());
   if (run.has("integrator")) run.guard([&] { scene.plan.integrator = run.choice("integrator", disc_method_names()); });
   run.read_fields(scene.plan);
-  scene.plan.jump = on(run, "jump");
+  scene.plan.jump = run.on_or_off("jump");
   scene.plan.images = run.choice_or("images", scene.plan.images);
-  scene.plan.historical = on(run, "historical");
-  scene.pictures = on(run, "pictures");
+  scene.plan.historical = run.on_or_off("historical");
+  scene.pictures = run.on_or_off("pictures");
 }
 
 /// Reports all validation_errors of a cell and its run, which the ranges of single fields do not cover.
@@ -349,7 +343,7 @@ CellScene read_toml(const TomlValue& document, std::string_view name, const Cell
   if (choices.units) throw InputError{fmt::format("{}: a unit system is named in the file already", name)};
   source.collect();
   file.allow({"title", "units", "cell", "run"});
-  file.guard([&] { source.units = unit_system(file.choice("units", {std::string{si.name}, std::string{us.name}})); });
+  file.guard([&] { source.units = unit_system(file.choice("units", unit_system_names())); });
   CellScene scene{.title = {}, .units = source.units, .cell = {}, .plan = {}};
   file.guard([&] { scene.title = shown_title(file.title(), name); });
   std::optional<SceneTable> cell, run;

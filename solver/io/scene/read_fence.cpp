@@ -223,9 +223,7 @@ std::vector<int> wholes_or_none(SceneTable& table, std::string_view key) {
 
 Fence read_fence(SceneTable& file, SceneSource& source) {
   file.allow({"title", "units", "fence"});
-  source.guard(file.line(), [&] {
-    source.units = unit_system(file.choice("units", {std::string{si.name}, std::string{us.name}}));
-  });
+  source.guard(file.line(), [&] { source.units = unit_system(file.choice("units", unit_system_names())); });
   Fence fence;
   fence.units = source.units;
   source.guard(file.line(), [&] {

@@ -86,7 +86,7 @@ SceneRun read_run(SceneTable table) {
         "interval", fmt::format("found \"{}\"; it must be at least the step, \"{}\": the history has at most one row a "
                                 "step",
                                 run.table.written("interval"), run.table.written("step")));
-  if (run.table.has("ledger")) run.table.guard([&] { run.ledger = run.table.choice("ledger", {"on", "off"}) == "on"; });
+  run.ledger = run.table.on_or_off("ledger", run.ledger);
   if (run.table.has("watch")) run.table.guard([&] { run.watch = read_watch(run.table, "watch"); });
   // A named method is known without the model; an automatic one is chosen for the model in set_run().
   if (has_method && run.integrator != automatic_integrator) {
@@ -232,9 +232,7 @@ SceneFile read_fence_scene(SceneTable& file, SceneSource& source) {
 SceneFile read_bodies_scene(SceneTable& file, SceneSource& source) {
   file.refuse("cell", "a shear cell is run by `talus cell`");
   file.allow({"title", "units", "gravity", "body", "contact", "cable", "hanger", "run"});
-  source.guard(file.line(), [&] {
-    source.units = unit_system(file.choice("units", {std::string{si.name}, std::string{us.name}}));
-  });
+  source.guard(file.line(), [&] { source.units = unit_system(file.choice("units", unit_system_names())); });
   Scene scene;
   source.guard(file.line(), [&] { scene.title = file.title(); });
   const Parts parts = read_parts(file);

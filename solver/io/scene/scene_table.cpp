@@ -350,6 +350,12 @@ std::string SceneTable::choice(std::string_view key, const std::vector<std::stri
        fmt::format("found \"{}\"; nearest: {}; known: {}", name, nearest_name(name, known), fmt::join(known, ", ")));
 }
 
+bool SceneTable::on_or_off(std::string_view key, bool absent) {
+  bool is_on = absent;
+  if (has(key)) guard([&] { is_on = choice(key, {"on", "off"}) == "on"; });
+  return is_on;
+}
+
 std::vector<std::string> SceneTable::choices(std::string_view key, const std::vector<std::string>& known) {
   const TomlValue& value = demand_at_once(key);
   std::vector<std::string> result;

@@ -128,6 +128,8 @@ class SceneTable {
     source_->guard(line_, [&] { name = choice(key, names_of<Enum>()); });
     return find_named<Enum>(name).value_or(absent);
   }
+  /// Whether the key is "on", which it must be unless it is "off"; `absent` if the key is missing or wrong.
+  [[nodiscard]] bool on_or_off(std::string_view key, bool absent = false);
   /// Calls `read` for a part of the table on which reading the rest does not depend; see SceneSource::guard().
   template <class Read>
   void guard(Read&& read) const {
