@@ -222,7 +222,7 @@ void CableForces::sum_pulls(const State& state, Workspace& work, Rates* out) con
   for_each_span(laws_, work.active.cables, [&]<class L>(const CableArray<L>& array, const CableSpan& span) {
     if (span.on_linear_branch) return;
     for_each_of(array, span, [&](const L& law, Slot slot, std::size_t c) {
-      const LawForce force = law(kinematics(work, c), memory(law, state, slot), state.mode[slot.mode]);
+      const LawForce force = force_of(law, slot, kinematics(work, c), state);
       work.paths.tension[c] = force.total();
       if (out)
         out->work[static_cast<std::size_t>(L::dissipation)] +=
@@ -248,7 +248,7 @@ void CableForces::sum_pulls(const CableSpan& span, Workspace& work) const {
 void CableForces::keep_rest(const State& state, const Workspace& work) {
   rest_pulls_.resize(size());
   for_each_cable(laws_, [&]<class L>(const L& law, Slot slot, std::size_t c) {
-    const double tension = law(kinematics(work, c), memory(law, state, slot), state.mode[slot.mode]).total();
+    const double tension = force_of(law, slot, kinematics(work, c), state).total();
     rest_pulls_[c] = tension * work.paths.pull(c);
   });
 }
@@ -257,7 +257,7 @@ void CableForces::list_woken(const State& state, const Workspace& work, double f
                              std::vector<BodyId>& woken) const {
   for (const std::size_t c : work.active.borders) {
     visit_cable(laws_, indices_[c], [&]<class L>(const L& law, Slot slot) {
-      const double tension = law(kinematics(work, c), memory(law, state, slot), state.mode[slot.mode]).total();
+      const double tension = force_of(law, slot, kinematics(work, c), state).total();
       const Vec2 change = tension * work.paths.pull(c) - rest_pulls_[c];
       if (std::max(std::abs(change.x), std::abs(change.y)) <= fraction * tension) return;
       const Joint& a = joints_[ends_[c].a];
@@ -339,7 +339,7 @@ void CableForces::tensions(const State& state, const Workspace& work, std::span<
     return;
   }
   for_each_cable(laws_, [&]<class L>(const L& law, Slot slot, std::size_t c) {
-    out[c] = law(kinematics(work, c), memory(law, state, slot), state.mode[slot.mode]).total();
+    out[c] = force_of(law, slot, kinematics(work, c), state).total();
   });
 }
 

@@ -114,7 +114,7 @@ double CableForces::pull_on(const HangerJoint& hanger, const State& state, const
   Vec2 pull;
   for (const std::size_t c : hanger.cables) {
     visit_cable(laws_, indices_[c], [&]<class L>(const L& law, Slot slot) {
-      const double tension = law(kinematics(work, c), memory(law, state, slot), state.mode[slot.mode]).total();
+      const double tension = force_of(law, slot, kinematics(work, c), state).total();
       pull += (ends_[c].a == hanger.joint ? constants_.symmetry_weight_a[c] : -constants_.symmetry_weight_b[c]) *
               tension * work.paths.pull(c);
     });

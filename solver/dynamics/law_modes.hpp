@@ -22,6 +22,12 @@ std::span<double> memory(const L& law, State& state, Slot slot) {
   return std::span{state.z}.subspan(slot.memory, memory_count(law));
 }
 
+/// Force of one law instance in its present mode.
+template <Law L>
+LawForce force_of(const L& law, Slot slot, Kinematics x, const State& state) {
+  return law(x, memory(law, state, slot), state.mode[slot.mode]);
+}
+
 /// Slopes of a law's force in a mode [F/L and F T/L]: from the law where it is linear, else by central differences.
 template <Law L>
 Tangent local_slopes(const L& law, Kinematics x, std::span<const double> memory, Mode mode) {
