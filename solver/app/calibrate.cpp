@@ -2,10 +2,8 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <filesystem>
 #include <memory>
-#include <string_view>
 
 #include "solver/app/calibration/calibrate_options.hpp"
 #include "solver/app/calibration/impact_calibration.hpp"
@@ -76,17 +74,11 @@ int run_calibration(const CalibrateOptions& options, const DrawingSink& sink) {
     throw InputError{
         fmt::format("{}: a range of pairs has no scene; remove one of both", fmt::join(options.own_to_range, ", "))};
   }
-  if (!options.restitution) throw InputError{"--restitution: it is missing; give e.g. --restitution 0.7"};
+  static_cast<void>(demanded_restitution(options));
   return calibrate_scene(options);
 }
 
 }  // namespace
-
-std::string option_name(std::string_view field) {
-  std::string name = "--" + std::string{field};
-  std::replace(name.begin(), name.end(), '_', '-');
-  return name;
-}
 
 Command add_calibrate(CLI::App& talus, const DrawingSink& sink) {
   CLI::App* app = talus.add_subcommand("calibrate", "Find the damping, or K1/K2, that gives a contact its restitution");

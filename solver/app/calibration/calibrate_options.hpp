@@ -54,6 +54,12 @@ struct CalibrateOptions {
   return !options.angle.empty() || !options.angles.empty();
 }
 
+/// The restitution of --restitution. Errors: InputError if it is missing.
+[[nodiscard]] double demanded_restitution(const CalibrateOptions& options);
+
+/// Errors: InputError if --masses is missing.
+void demand_masses(const CalibrateOptions& options);
+
 /// The option of a law's parameter: "--reference-overlap" for reference_overlap.
 [[nodiscard]] std::string option_name(std::string_view field);
 

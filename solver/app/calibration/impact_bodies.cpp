@@ -59,8 +59,7 @@ std::vector<RoundBody> round_bodies(const CalibrateOptions& options) {
   if (radii.empty()) {
     throw InputError{"--spheres: it is missing; give the radius of each body, e.g. --spheres \"1 cm\", or --discs"};
   }
-  if (options.masses.empty())
-    throw InputError{"--masses: it is missing; give one or two, e.g. --masses \"2 kg\" \"1 kg\""};
+  demand_masses(options);
   if (radii.size() != options.masses.size()) {
     throw InputError{fmt::format("{}: found {} radi{} for {} mass{}; give one for each", option, radii.size(),
                                  radii.size() == 1 ? "us" : "i", options.masses.size(),

@@ -39,8 +39,7 @@ struct ImpactCalibration {
 ImpactCalibration calibrated(const CalibrateOptions& options) {
   ImpactCalibration found;
   const ContactLaw law = law_of_options(options);
-  if (options.masses.empty())
-    throw InputError{"--masses: it is missing; give one or two, e.g. --masses \"2 kg\" \"1 kg\""};
+  demand_masses(options);
   std::vector<Sphere> spheres;
   if (!options.spheres.empty()) {
     if (!options.pivot.empty() || !options.offset.empty()) throw InputError{spheres_are_central};

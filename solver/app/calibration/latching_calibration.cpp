@@ -57,7 +57,7 @@ void refuse_what_means_nothing(const CalibrateOptions& options) {
         throw InputError{fmt::format("{}: the law 'latching_spring' does not use this option; remove it", given)};
     }
   }
-  if (!options.restitution) throw InputError{"--restitution: it is missing; give e.g. --restitution 0.7"};
+  static_cast<void>(demanded_restitution(options));
   const bool has_stiffness = !options.parameters.at("stiffness").empty();
   if (options.masses.empty() == has_stiffness) {
     throw InputError{fmt::format("{}: it is missing; give --masses and --stiffness, or neither for discs of ice",

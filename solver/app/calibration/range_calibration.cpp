@@ -132,8 +132,7 @@ QuantityColumn effective_masses(const CalibrateOptions& options, const GivenPair
   const QuantityColumn *radius = pairs.find("sphere_radius"), *first = pairs.find("mass_1"),
                        *second = pairs.find("mass_2");
   if (radius == nullptr && second == nullptr) {
-    if (options.masses.empty())
-      throw InputError{"--masses: it is missing; give one or two, e.g. --masses \"2 kg\" \"1 kg\""};
+    demand_masses(options);
     column.values.assign(pairs.rows, effective_mass_of(options));
     return column;
   }
@@ -171,11 +170,10 @@ ContactLaw law_of_pair(ContactLaw law, const GivenPairs& pairs, std::size_t row)
 
 RangeCalibration calibrated_range(const CalibrateOptions& options) {
   const ElapsedTime elapsed{"calibrating"};
-  if (!options.restitution) throw InputError{"--restitution: it is missing; give e.g. --restitution 0.7"};
+  RangeCalibration found;
+  found.wanted = demanded_restitution(options);
   const GivenPairs given = options.pairs.empty() ? pairs_of_axes(options) : pairs_of_file(options);
   refuse_replaced(options, given);
-  RangeCalibration found;
-  found.wanted = *options.restitution;
   for (const LawParameter& parameter : parameters_of(law_named(options.law))) {
     const bool is_of_spheres = given.has("sphere_radius") && parameter.name == "radius";
     if (given.has(parameter.name) || is_of_spheres) found.of_pairs.push_back(parameter.name);
