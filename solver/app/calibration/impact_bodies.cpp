@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "solver/app/calibration/value_lines.hpp"
 #include "solver/base/error.hpp"
 #include "solver/io/file/quantity_text.hpp"
 
@@ -38,8 +39,8 @@ double effective_mass_of(const CalibrateOptions& options) {
 std::string bodies_text(const CalibrateOptions& options, const UnitSystem& units) {
   const ImpactBodies bodies = bodies_of(options);
   const auto line = [&units](std::string_view body, const ContactSide& side, std::string_view formula) {
-    return fmt::format("  {:<32}{:>16.9g} {}: {}\n", body, against_a_fixed_body(side) / si_size(units, dimension::mass),
-                       symbol(units, dimension::mass), formula);
+    const double mass = against_a_fixed_body(side) / si_size(units, dimension::mass);
+    return fmt::format("{}: {}\n", value_line(32, body, mass, symbol(units, dimension::mass)), formula);
   };
   const std::string_view central = "its mass";
   std::string text = bodies.first ? line("body 1, free, hit centrally", *bodies.first, central) : "  body 1, fixed\n";

@@ -12,6 +12,7 @@
 #include "solver/app/calibration/impact_scene.hpp"
 #include "solver/app/calibration/law_options.hpp"
 #include "solver/app/calibration/rayleigh_times.hpp"
+#include "solver/app/calibration/value_lines.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/exit_code.hpp"
 #include "solver/base/progress.hpp"
@@ -93,9 +94,7 @@ nlohmann::ordered_json json_of(const ImpactCalibration& found, const CalibrateOp
 
 void print_text(const ImpactCalibration& found, const CalibrateOptions& options) {
   const UnitSystem units = unit_system(options.units);
-  const auto line = [&units](std::string_view what, double in_si, Dimension dimension) {
-    fmt::print("  {:<32}{:>16.9g} {}\n", what, in_si / si_size(units, dimension), symbol(units, dimension));
-  };
+  const ValueLines line{32, units};
   const LawParameter dissipation = dissipation_of(found.law);
   if (options.restitution) {
     fmt::print("{} for a restitution of {} ({})\n", dissipation.name, *options.restitution, law_text(found.law));
@@ -113,7 +112,7 @@ void print_text(const ImpactCalibration& found, const CalibrateOptions& options)
   line("largest overlap at that speed", found.known.largest_overlap, dimension::length);
   line("step", found.step.step, dimension::time);
   line("step over undamped contact time", found.step.step / found.undamped_time, dimension::number);
-  print_rayleigh_time(found.rayleigh, found.step.step, 32, units);
+  print_rayleigh_time(found.rayleigh, found.step.step, line);
   line("restitution simulated with it", found.step.restitution, dimension::number);
   fmt::print("  simulated with {}; its error over all phases of the step is at most {:.3g}, required {:.3g}\n",
              options.integrator, found.step.largest_error, options.bound);

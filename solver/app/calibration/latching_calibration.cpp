@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "solver/app/calibration/impact_bodies.hpp"
+#include "solver/app/calibration/value_lines.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/exit_code.hpp"
 #include "solver/base/progress.hpp"
@@ -115,9 +116,7 @@ void print_json(const LatchingRatio& found, const CalibrateOptions& options, boo
 
 void print_text(const LatchingRatio& found, const CalibrateOptions& options, bool default_discs) {
   const UnitSystem units = unit_system(options.units);
-  const auto line = [&units](std::string_view what, double in_si, Dimension dimension) {
-    fmt::print("  {:<32}{:>16.9g} {}\n", what, in_si / si_size(units, dimension), symbol(units, dimension));
-  };
+  const ValueLines line{32, units};
   fmt::print("K1/K2 for a restitution of {} ({}, {})\n", *options.restitution, options.law, options.integrator);
   fmt::print("{}", bodies_text(options, units));
   line("effective mass", found.contact.effective_mass, dimension::mass);

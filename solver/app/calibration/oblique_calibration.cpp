@@ -16,6 +16,7 @@
 #include "solver/app/calibration/law_options.hpp"
 #include "solver/app/calibration/range_table.hpp"
 #include "solver/app/calibration/rayleigh_times.hpp"
+#include "solver/app/calibration/value_lines.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/progress.hpp"
 #include "solver/calibrate/impact.hpp"
@@ -165,20 +166,7 @@ void print_json(const ObliqueCalibration& found, const CalibrateOptions& options
   fmt::print("{}\n", json.dump(2));
 }
 
-/// Lines of a value with its unit; angles in degrees.
-class Lines {
- public:
-  explicit Lines(const UnitSystem& units) : units_{units} {}
-  void operator()(std::string_view what, double in_si, Dimension dimension) const {
-    const ColumnUnit unit = column_unit(dimension, units_);
-    fmt::print("  {:<39}{:>16.9g} {}\n", what, in_si / unit.size, unit.symbol);
-  }
-
- private:
-  UnitSystem units_;
-};
-
-void print_rebound(const ObliqueCalibration& found, const Lines& line) {
+void print_rebound(const ObliqueCalibration& found, const ValueLines& line) {
   const ObliqueImpact& impact = found.impact;
   const KnownImpact known = known_impact(impact.law, impact.effective_mass(), impact.approach_speed());
   line("angle of the impact, from the normal", impact.angle, dimension::angle);
@@ -205,7 +193,7 @@ void print_scene_lines(const ObliqueImpact& impact, const CalibrateOptions& opti
 
 void print_text(const ObliqueCalibration& found, const CalibrateOptions& options, const UnitSystem& units) {
   const ObliqueImpact& impact = found.impact;
-  const Lines line{units};
+  const ValueLines line{39, units};
   const std::string laws = fmt::format("{}; {} friction", law_text(impact.law), options.shear_law);
   if (!found.sought.empty()) {
     fmt::print("{} for a tangential restitution of {} ({})\n", found.sought, *options.tangential_restitution, laws);
@@ -228,7 +216,7 @@ void print_text(const ObliqueCalibration& found, const CalibrateOptions& options
   line("shortest undamped contact time", found.undamped_time, dimension::time);
   line("step", found.step.step, dimension::time);
   line("step over undamped contact time", found.step.step / found.undamped_time, dimension::number);
-  print_rayleigh_time(found.rayleigh, found.step.step, 39, units);
+  print_rayleigh_time(found.rayleigh, found.step.step, line);
   fmt::print(
       "  with {}; the errors of both restitutions over all phases of the step are at most {:.3g}, required {:.3g}\n",
       options.integrator, found.step.largest_error, options.bound);

@@ -13,6 +13,7 @@
 #include "solver/app/calibration/law_options.hpp"
 #include "solver/app/calibration/range_table.hpp"
 #include "solver/app/calibration/rayleigh_times.hpp"
+#include "solver/app/calibration/value_lines.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/progress.hpp"
 #include "solver/calibrate/impact.hpp"
@@ -253,14 +254,12 @@ void print_json(const RangeCalibration& found, const CalibrateOptions& options) 
 
 /// The step for all pairs, as a text.
 void print_step(const RangeCalibration& found, const CalibrateOptions& options, const UnitSystem& units) {
-  const auto line = [](const std::string& what, double value, std::string_view unit) {
-    fmt::print("  {:<39}{:>16.9g} {}\n", what, value, unit);
-  };
-  line("shortest undamped contact time", found.undamped_time, "s");
-  if (!found.step) return print_rayleigh_time(found.rayleigh, {}, 39, units);
-  line("step for all pairs", found.step->step, "s");
-  line("step over shortest undamped contact time", found.step->step / found.undamped_time, "1");
-  print_rayleigh_time(found.rayleigh, found.step->step, 39, units);
+  const ValueLines line{39, units};
+  line("shortest undamped contact time", found.undamped_time, dimension::time);
+  if (!found.step) return print_rayleigh_time(found.rayleigh, {}, line);
+  line("step for all pairs", found.step->step, dimension::time);
+  line("step over shortest undamped contact time", found.step->step / found.undamped_time, dimension::number);
+  print_rayleigh_time(found.rayleigh, found.step->step, line);
   fmt::print(
       "  with {}; row {} requires it; the error of the restitutions over all phases of the step is at most {:.3g}, "
       "required {:.3g}\n",
@@ -276,7 +275,7 @@ void print_text(const RangeCalibration& found, const CalibrateOptions& options, 
              pairs == 1 ? "" : "s", law_text(found.law));
   print_table(found.table, units);
   const auto line = [&](const std::string& what, const CommonDissipation& common) {
-    fmt::print("  {:<32}{:>16.9g} {}: the restitutions deviate by at most {:.6g}\n", what, common.value / size, unit,
+    fmt::print("{}: the restitutions deviate by at most {:.6g}\n", value_line(32, what, common.value / size, unit),
                common.largest_deviation);
   };
   if (found.given) line(dissipation.name + ", as given", *found.given);

@@ -6,7 +6,6 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <numbers>
-#include <string_view>
 
 #include "solver/app/calibration/friction_options.hpp"
 #include "solver/base/error.hpp"
@@ -68,20 +67,15 @@ void add_rayleigh_time(nlohmann::ordered_json& json, const std::optional<Rayleig
   json["rayleigh_time"] = known->shortest;
 }
 
-void print_rayleigh_time(const std::optional<RayleighTime>& known, std::optional<double> step, int width,
-                         const UnitSystem& units) {
+void print_rayleigh_time(const std::optional<RayleighTime>& known, std::optional<double> step, const ValueLines& line) {
   if (!known) return;
   if (!known->material) {
     fmt::print("  no Rayleigh time: a material of both bodies has a shear_modulus of 1/6 to 1/4 of the modulus\n");
     return;
   }
-  const auto line = [width](std::string_view what, double value, std::string_view unit) {
-    fmt::print("  {:<{}}{:>16.9g} {}\n", what, width, value, unit);
-  };
-  line("Poisson's ratio", known->material->poisson_ratio, "1");
-  line("Rayleigh time, of one material", known->shortest / si_size(units, dimension::time),
-       symbol(units, dimension::time));
-  if (step) line("step over Rayleigh time", *step / known->shortest, "1");
+  line("Poisson's ratio", known->material->poisson_ratio, dimension::number);
+  line("Rayleigh time, of one material", known->shortest, dimension::time);
+  if (step) line("step over Rayleigh time", *step / known->shortest, dimension::number);
 }
 
 }  // namespace talus::app

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "solver/app/calibration/calibrate_options.hpp"
-#include "solver/base/units.hpp"
+#include "solver/app/calibration/value_lines.hpp"
 #include "solver/calibrate/oblique_impact.hpp"
 #include "solver/calibrate/rayleigh_time.hpp"
 #include "solver/laws/law_list.hpp"
@@ -39,10 +39,8 @@ struct RayleighTime {
 /// Adds `poisson_ratio` and `rayleigh_time` [s], or null for both without a material.
 void add_rayleigh_time(nlohmann::ordered_json& json, const std::optional<RayleighTime>& known);
 
-/// Lines of text with Poisson's ratio, the Rayleigh time in the unit of time of `units`, and the step [s], if it is
-/// known, as a fraction of it; `width` of the names.
-void print_rayleigh_time(const std::optional<RayleighTime>& known, std::optional<double> step, int width,
-                         const UnitSystem& units);
+/// Prints lines with Poisson's ratio, the Rayleigh time, and the step [s], if it is known, as a fraction of it.
+void print_rayleigh_time(const std::optional<RayleighTime>& known, std::optional<double> step, const ValueLines& line);
 
 /// The error of --pivot or --offset with --spheres.
 inline constexpr const char* spheres_are_central =

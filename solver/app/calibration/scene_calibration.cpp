@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "solver/app/calibration/law_options.hpp"
+#include "solver/app/calibration/value_lines.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/exit_code.hpp"
 #include "solver/base/progress.hpp"
@@ -112,8 +113,11 @@ nlohmann::ordered_json json_of(const SceneCalibration& result, const Scene& scen
 
 void print_text(const SceneCalibration& result, const Scene& scene, const std::string& contact) {
   const UnitSystem& units = scene.model.units;
-  const auto line = [&units](std::string_view what, double value, Dimension dimension) {
-    fmt::print("  {:<18}{:>16.9g} {}\n", what, value, symbol(units, dimension));
+  const auto text = [&units](std::string_view what, double value, Dimension dimension) {
+    return value_line(18, what, value, symbol(units, dimension));  // a value in units of the scene
+  };
+  const auto line = [&](std::string_view what, double value, Dimension dimension) {
+    fmt::print("{}\n", text(what, value, dimension));
   };
   fmt::print("{}: contact '{}' calibrated by {} runs of the scene with {}\n", scene.title, contact, result.found.runs,
              name(scene.integrator));
@@ -121,12 +125,11 @@ void print_text(const SceneCalibration& result, const Scene& scene, const std::s
   if (result.damping_ratio) line("damping ratio xi", *result.damping_ratio, dimension::number);
   line("restitution", result.found.impact.restitution, dimension::number);
   line("speed of approach", result.found.impact.approach_speed, dimension::velocity);
-  const std::string time = symbol(units, dimension::time);
-  fmt::print("  {:<18}{:>16.9g} {}: {} steps, from the last one before the contact to the first one after it\n",
-             "contact time", result.found.impact.contact_time, time, result.contact_steps(scene));
+  fmt::print("{}: {} steps, from the last one before the contact to the first one after it\n",
+             text("contact time", result.found.impact.contact_time, dimension::time), result.contact_steps(scene));
   line("largest overlap", result.found.impact.largest_overlap, dimension::length);
   const std::string_view chosen = ": times at which the method gives states; it chooses shorter steps itself";
-  fmt::print("  {:<18}{:>16.9g} {}, of the scene{}\n", "step", scene.plan.step, time,
+  fmt::print("{}, of the scene{}\n", text("step", scene.plan.step, dimension::time),
              chooses_steps(scene.integrator) ? chosen : "");
   if (result.is_of_speed) fmt::print("  the restitution holds at this speed: others are more or less elastic\n");
   fmt::print("in the scene:\n  {} = \"{} {}\"\n", result.parameter, result.found.dissipation,
