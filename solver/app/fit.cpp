@@ -14,9 +14,9 @@
 #include "solver/base/error.hpp"
 #include "solver/base/progress.hpp"
 #include "solver/command_line/usage_error.hpp"
-#include "solver/io/fence_file.hpp"
 #include "solver/io/file/atomic_file.hpp"
 #include "solver/io/file/folder_lock.hpp"
+#include "solver/io/file/toml_document.hpp"
 
 namespace talus::app {
 namespace {

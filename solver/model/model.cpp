@@ -23,9 +23,6 @@ std::optional<CableId> find_cable(const Model& model, std::string_view name) {
 std::optional<ContactId> find_contact(const Model& model, std::string_view name) {
   return find<ContactId>(model.contacts, name);
 }
-std::optional<HangerId> find_hanger(const Model& model, std::string_view name) {
-  return find<HangerId>(model.hangers, name);
-}
 
 bool ends_at(const CableEnd& end, const Hanger& hanger) { return end.body == hanger.body && end.p == hanger.p; }
 

@@ -34,11 +34,10 @@ struct Model {
   UnitSystem units{si};  ///< a tag for labels; the solver does not use it
 };
 
-/// Finds the body, cable, contact or hanger of this name, if there is one.
+/// Finds the body, cable or contact of this name, if there is one.
 [[nodiscard]] std::optional<BodyId> find_body(const Model& model, std::string_view name);
 [[nodiscard]] std::optional<CableId> find_cable(const Model& model, std::string_view name);
 [[nodiscard]] std::optional<ContactId> find_contact(const Model& model, std::string_view name);
-[[nodiscard]] std::optional<HangerId> find_hanger(const Model& model, std::string_view name);
 
 /// True if the end of the cable is at the point of the hanger.
 [[nodiscard]] bool ends_at(const CableEnd& end, const Hanger& hanger);

@@ -79,14 +79,6 @@ PowerLaw Convergence::fit() const {
   return {order, std::exp(y_mean - order * x_mean), std::sqrt(squares / static_cast<double>(size()))};
 }
 
-std::vector<double> Convergence::local_orders() const {
-  std::vector<double> orders;
-  for (std::size_t i = 1; i < size(); ++i) {
-    orders.push_back(std::log(errors_[i] / errors_[i - 1]) / std::log(steps_[i] / steps_[i - 1]));
-  }
-  return orders;
-}
-
 void PhaseError::add(double error) {
   ++count_;
   sum_of_squares_ += error * error;

@@ -42,10 +42,6 @@ class Convergence {
   /// positive.
   [[nodiscard]] PowerLaw fit() const;
 
-  /// Slopes between neighbouring points, ln(e_{i+1}/e_i) / ln(h_{i+1}/h_i); one fewer than points. Negative slopes
-  /// remain negative: a diverging method does not show a positive order.
-  [[nodiscard]] std::vector<double> local_orders() const;
-
  private:
   std::vector<double> steps_;
   std::vector<double> errors_;

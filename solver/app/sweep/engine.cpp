@@ -4,7 +4,7 @@
 
 #include "solver/base/error.hpp"
 #include "solver/command_line/shell_word.hpp"
-#include "solver/io/fence_file.hpp"
+#include "solver/io/file/toml_document.hpp"
 
 namespace talus::app {
 namespace {

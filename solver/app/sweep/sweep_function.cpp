@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "solver/base/error.hpp"
-#include "solver/io/fence_file.hpp"
+#include "solver/io/file/toml_document.hpp"
 
 namespace talus::app {
 namespace {

@@ -103,8 +103,9 @@ BOOST_AUTO_TEST_CASE(half_and_full_model_lose_the_same_hangers) {
   int broken = 0;
   for (std::size_t h = 0; h < half.scene.model.hangers.size(); ++h) {
     const Hanger& hanger = half.scene.model.hangers[h];
-    const std::size_t same = index(*find_hanger(full.scene.model, hanger.name));
-    BOOST_TEST(a.mode[of_half.first_hanger + h] == b.mode[of_full.first_hanger + same]);
+    const auto& hangers = full.scene.model.hangers;
+    const std::ptrdiff_t same = std::ranges::find(hangers, hanger.name, &Hanger::name) - hangers.begin();
+    BOOST_TEST(a.mode[of_half.first_hanger + h] == b.mode[of_full.first_hanger + static_cast<std::size_t>(same)]);
     broken += a.mode[of_half.first_hanger + h];
   }
   BOOST_TEST(broken >= 2);  // the central one, next to its segment's mirror image, and a neighbour

@@ -48,7 +48,6 @@ TwoCableState state_of(const Laws& laws, const Trajectory& path, bool touching) 
   s.t = static_cast<double>(path.time());
   s.particle_position = static_cast<double>(y[x]);
   s.particle_velocity = static_cast<double>(y[v]);
-  s.striker_position = static_cast<double>(y[x] + y[depth]);
   s.striker_velocity = static_cast<double>(y[striker_v]);
   s.contact_force = touching ? static_cast<double>(laws.force(y)) : 0.0;
   return s;

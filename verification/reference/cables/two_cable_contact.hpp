@@ -28,7 +28,6 @@ struct TwoCableState {
   double t{};                  ///< [T].
   double particle_position{};  ///< x [L].
   double particle_velocity{};  ///< v [L/T].
-  double striker_position{};   ///< x + d [L]: position of the striker's contact point.
   double striker_velocity{};   ///< V [L/T].
   double contact_force{};      ///< F [F], on the particle along +x; 0 after the end.
 };

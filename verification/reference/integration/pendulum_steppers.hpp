@@ -32,11 +32,9 @@ struct PendulumRunResult {
   double angle{};                 ///< x at the end [rad].
   double rate{};                  ///< x' at the end [rad/T].
   double angle_error{};           ///< At the end, relative to the elliptic functions [rad], signed.
-  double rate_error{};            ///< At the end [rad/T], signed.
   double largest_angle_error{};   ///< Over all accepted steps [rad].
   double largest_energy_error{};  ///< |E - E(0)|/E(0) over all accepted steps.
   std::int64_t evaluations{};     ///< Evaluations of the right-hand side, including rejected and starting steps.
-  std::int64_t accepted_steps{};  ///< Number of accepted steps.
 };
 
 /// Throws std::invalid_argument for an unknown stepper (the message lists the names) or one that does not support the
