@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "tests/fuzz/readers.hpp"
-#include "tests/solver/io/folder.hpp"
+#include "tests/temporary_folder.hpp"
 
 BOOST_AUTO_TEST_SUITE(refused_inputs_tests)
 

@@ -5,7 +5,7 @@
 
 #include "reports/base/error.hpp"
 #include "reports/base/process.hpp"
-#include "tests/reports/scratch.hpp"
+#include "tests/temporary_folder.hpp"
 #include "verification/record/error.hpp"
 #include "verification/record/whole_file.hpp"
 
@@ -61,9 +61,9 @@ std::string fact(const SheetBox& box, const std::string& name) {
 }
 
 SheetPage page_of(const std::string& text) {
-  const Scratch scratch("capacity_page");
-  write_whole(scratch.folder / "capacity.json", text);
-  return capacity_page(read_capacity_record(scratch.folder / "capacity.json"));
+  const Folder scratch;
+  write_whole(scratch.path / "capacity.json", text);
+  return capacity_page(read_capacity_record(scratch.path / "capacity.json"));
 }
 
 }  // namespace
@@ -143,22 +143,22 @@ BOOST_AUTO_TEST_CASE(several_heights_and_energies_of_all_masses) {
 }
 
 BOOST_AUTO_TEST_CASE(the_program_makes_the_page_and_names_a_missing_figure) {
-  const Scratch scratch("capacity_page");
+  const Folder scratch;
   const std::string text =
       record(map("1.524", line("[1, 2]", "[3, 4]")) + "," + map("2", line("[1, 2]", "[3, 4]")), hazard);
-  write_whole(scratch.folder / "capacity.json", text);
-  const Finished made = run({TALUS_REPORT_PROGRAM, {"--sheet", scratch.folder.string()}, {}, {}});
+  write_whole(scratch.path / "capacity.json", text);
+  const Finished made = run({TALUS_REPORT_PROGRAM, {"--sheet", scratch.path.string()}, {}, {}});
   BOOST_TEST(made.status == 4);
   BOOST_TEST(made.messages.find("envelope_1.svg: it is missing; talus capacity draws it") != std::string::npos,
              made.messages);
-  BOOST_TEST(fs::exists(scratch.folder / "capacity.pdf"));
-  BOOST_TEST(read_whole(scratch.folder / "capacity.html").find("<h1>A &amp; B_1</h1>") != std::string::npos);
+  BOOST_TEST(fs::exists(scratch.path / "capacity.pdf"));
+  BOOST_TEST(read_whole(scratch.path / "capacity.html").find("<h1>A &amp; B_1</h1>") != std::string::npos);
   for (const auto& [wrong, message] :
        {std::pair{std::string{"{\"schema\": 1}"}, "schema: must be 3, found 1: start talus capacity again"},
         std::pair{record(""), "maps: must have a map"},
         std::pair{record(map("1.524", line("[1]", "[1, 2]"))), "speed: must be 2 numbers, found 1"}}) {
-    write_whole(scratch.folder / "capacity.json", wrong);
-    const Finished refused = run({TALUS_REPORT_PROGRAM, {"--sheet", scratch.folder.string()}, {}, {}});
+    write_whole(scratch.path / "capacity.json", wrong);
+    const Finished refused = run({TALUS_REPORT_PROGRAM, {"--sheet", scratch.path.string()}, {}, {}});
     BOOST_TEST(refused.status == 2);
     BOOST_TEST(refused.messages.find(message) != std::string::npos, refused.messages);
   }

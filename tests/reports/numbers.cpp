@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "tests/reports/report_program.hpp"
-#include "tests/reports/scratch.hpp"
+#include "tests/temporary_folder.hpp"
 #include "verification/record/whole_file.hpp"
 
 BOOST_AUTO_TEST_SUITE(numbers_tests)
@@ -23,23 +23,23 @@ const fs::path templates = TALUS_TEMPLATES;
 
 BOOST_AUTO_TEST_CASE(every_number_of_the_report_is_in_the_results) {
   for (const char* name : {"pass", "fail"}) {
-    const Scratch scratch("numbers");
+    const Folder scratch;
     const fs::path verify = fs::path(TALUS_TEST_DATA) / name;
-    write_markdown(verify, scratch.folder);
-    BOOST_TEST(count_of_numbers(talus::records::read_whole(scratch.folder / "verification.md") +
-                                talus::records::read_whole(scratch.folder / "verification-details.md")) > 200U);
-    for (const std::string& number : unfounded_numbers(verify, scratch.folder, templates))
+    write_markdown(verify, scratch.path);
+    BOOST_TEST(count_of_numbers(talus::records::read_whole(scratch.path / "verification.md") +
+                                talus::records::read_whole(scratch.path / "verification-details.md")) > 200U);
+    for (const std::string& number : unfounded_numbers(verify, scratch.path, templates))
       BOOST_ERROR(name << ": " << number);
   }
 }
 
 BOOST_AUTO_TEST_CASE(a_number_that_is_not_in_the_results_is_found) {
-  const Scratch scratch("numbers");
-  const std::string verify = (fs::path(TALUS_TEST_DATA) / "pass").string(), report = scratch.folder.string();
+  const Folder scratch;
+  const std::string verify = (fs::path(TALUS_TEST_DATA) / "pass").string(), report = scratch.path.string();
   write_markdown(verify, report);
   const Finished sound = program({verify, report, "--check"});
   BOOST_TEST(sound.status == 0, sound.messages);
-  const fs::path volume = scratch.folder / "verification.md";
+  const fs::path volume = scratch.path / "verification.md";
   std::string text = talus::records::read_whole(volume);
   const std::string shown = "3.8266";
   const std::size_t at = text.find(shown);
@@ -55,8 +55,8 @@ BOOST_AUTO_TEST_CASE(a_number_that_is_not_in_the_results_is_found) {
 
 // Counts of the chapters on the interface and on roundings are derived from their records.
 BOOST_AUTO_TEST_CASE(numbers_of_trials_are_in_their_records) {
-  const Scratch scratch("numbers");
-  const fs::path verify = scratch.folder / "verify";
+  const Folder scratch;
+  const fs::path verify = scratch.path / "verify";
   fs::copy(fs::path(TALUS_TEST_DATA) / "pass", verify, fs::copy_options::recursive);
   talus::records::write_whole(
       verify / "interface.json",

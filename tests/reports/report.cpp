@@ -16,7 +16,7 @@
 #include "reports/text/document.hpp"
 #include "reports/text/markdown.hpp"
 #include "tests/reports/report_program.hpp"
-#include "tests/reports/scratch.hpp"
+#include "tests/temporary_folder.hpp"
 #include "verification/record/whole_file.hpp"
 
 BOOST_AUTO_TEST_SUITE(report_tests)
@@ -32,18 +32,18 @@ const fs::path data = TALUS_TEST_DATA;
 
 /// Folder of the report of data/pass. It takes 6 s, and is written once for all tests that only read it.
 const fs::path& passed_report() {
-  static const Scratch scratch("passed");
-  static const Finished finished = program({(data / "pass").string(), scratch.folder.string()});
+  static const Folder scratch;
+  static const Finished finished = program({(data / "pass").string(), scratch.path.string()});
   BOOST_TEST_REQUIRE(finished.status == 0, finished.messages);
-  return scratch.folder;
+  return scratch.path;
 }
 
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(the_same_records_give_the_same_bytes) {
-  const Scratch scratch("report");
+  const Folder scratch;
   const fs::path& first = passed_report();
-  const fs::path& second = scratch.folder;
+  const fs::path& second = scratch.path;
   std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // the clock of PDF dates shows another second
   BOOST_TEST_REQUIRE(program({(data / "pass").string(), second.string()}).status == 0);
   for (const char* name : {"verification.md", "verification-details.md", "html/index.html", "html/two_cable.html",
@@ -123,49 +123,49 @@ BOOST_AUTO_TEST_CASE(links_of_the_volumes_lead_to_headings_and_pictures) {
 }
 
 BOOST_AUTO_TEST_CASE(links_between_the_volumes_lead_from_pdf_to_pdf) {
-  const Scratch scratch("links");
-  write_whole(scratch.folder / "volume.md",
+  const Folder scratch;
+  write_whole(scratch.path / "volume.md",
               "[a](verification-details.md#a), [b](verification.md#b), [c](other.md#c)\n\n![d](d.svg)\n");
   const Finished made =
       run({"pandoc",
            {"volume.md", "-o", "volume.tex", "--lua-filter", (find_resources() / "pandoc" / "pdf.lua").string()},
-           scratch.folder,
+           scratch.path,
            {}});
   BOOST_TEST_REQUIRE(made.status == 0, made.messages);
-  const std::string tex = read_whole(scratch.folder / "volume.tex");
+  const std::string tex = read_whole(scratch.path / "volume.tex");
   for (const char* there : {"{verification-details.pdf}", "{verification.pdf}", "{other.md\\#c}", "{d.pdf}"})
     BOOST_TEST(contains(tex, there), tex);
 }
 
 // A chapter of a few lines more than a page is set smaller; one of many more is not.
 BOOST_AUTO_TEST_CASE(a_chapter_ends_on_its_page_where_it_can) {
-  const Scratch scratch("chapters");
+  const Folder scratch;
   std::string text = "# Front\n\n| a |\n|:--|\n| 1 |\n\n# Contents\n\n";
   for (const int lines : {20, 62, 90})
     for (int i = 0; i < lines; ++i)
       text += i == 0 ? fmt::format("# Chapter of {} lines\n\n", lines) : fmt::format("Line {}.\n\n", i);
-  write_whole(scratch.folder / "book.md", text + "# Last\n");
-  const Document book{scratch.folder, "book", "Book", find_resources() / "pandoc", 0};
+  write_whole(scratch.path / "book.md", text + "# Last\n");
+  const Document book{scratch.path, "book", "Book", find_resources() / "pandoc", 0};
   make_latex(book);
   make_pdf(book);
-  const std::string measured = read_whole(scratch.folder / "book.aux");
+  const std::string measured = read_whole(scratch.path / "book.aux");
   BOOST_TEST(!contains(measured, "\\TalusTight{1}"));
   BOOST_TEST(contains(measured, "\\TalusTight{2}"));
   BOOST_TEST(!contains(measured, "\\TalusTight{3}"));
   // Front, contents, 20 lines, 62 lines, 90 lines on two pages, last.
-  BOOST_TEST(contains(read_whole(scratch.folder / "book.log"), "Output written on book.pdf (7 pages"));
-  BOOST_TEST(contains(read_whole(scratch.folder / "book.toc"), "Chapter of 90 lines}{5}"));
+  BOOST_TEST(contains(read_whole(scratch.path / "book.log"), "Output written on book.pdf (7 pages"));
+  BOOST_TEST(contains(read_whole(scratch.path / "book.toc"), "Chapter of 90 lines}{5}"));
 }
 
 BOOST_AUTO_TEST_CASE(the_first_page_names_the_machine_and_what_did_not_run) {
-  const Scratch scratch("first_page");
-  fs::copy(data / "pass", scratch.folder / "verify", fs::copy_options::recursive);
-  const fs::path file = scratch.folder / "verify" / "results.json";
+  const Folder scratch;
+  fs::copy(data / "pass", scratch.path / "verify", fs::copy_options::recursive);
+  const fs::path file = scratch.path / "verify" / "results.json";
   nlohmann::json results = nlohmann::json::parse(read_whole(file));
   const auto first_page = [&] {
     write_whole(file, results.dump(1));
-    write_markdown(scratch.folder / "verify", scratch.folder / "report");
-    const std::string text = read_whole(scratch.folder / "report" / "verification.md");
+    write_markdown(scratch.path / "verify", scratch.path / "report");
+    const std::string text = read_whole(scratch.path / "report" / "verification.md");
     return text.substr(0, text.find("\n# Coverage"));
   };
   results["provenance"]["cpu"] = "Some Processor";
@@ -182,10 +182,10 @@ BOOST_AUTO_TEST_CASE(the_first_page_names_the_machine_and_what_did_not_run) {
 }
 
 BOOST_AUTO_TEST_CASE(failures_stand_on_the_first_page) {
-  const Scratch scratch("report");
-  const Finished finished = program({(data / "fail").string(), scratch.folder.string()});
+  const Folder scratch;
+  const Finished finished = program({(data / "fail").string(), scratch.path.string()});
   BOOST_TEST_REQUIRE(finished.status == 0, finished.messages);
-  const std::string text = read_whole(scratch.folder / "verification.md");
+  const std::string text = read_whole(scratch.path / "verification.md");
   const std::string front = text.substr(0, text.find("\n# Coverage"));
   BOOST_TEST(contains(front, "**FAIL.**"));
   BOOST_TEST(contains(front, "| distance \\[m\\] | 4.9 | 3.8265 | **2.15e+03** |"));
@@ -194,17 +194,17 @@ BOOST_AUTO_TEST_CASE(failures_stand_on_the_first_page) {
   BOOST_TEST(front.find("## Failures") < front.find("## Cases"));
   BOOST_TEST(contains(text, "is not drawn: "));
   BOOST_TEST(contains(text, "No check ran."));
-  BOOST_TEST(fs::file_size(scratch.folder / "verification.pdf") > 10000U);
+  BOOST_TEST(fs::file_size(scratch.path / "verification.pdf") > 10000U);
 }
 
 BOOST_AUTO_TEST_CASE(a_missing_column_stops_the_report_and_leaves_nothing) {
-  const Scratch scratch("report");
-  fs::copy(data / "pass", scratch.folder / "verify", fs::copy_options::recursive);
-  write_whole(scratch.folder / "verify" / "pendulum" / "work.csv", "series,step\nrk4,1\n");
-  const Finished finished = program({(scratch.folder / "verify").string(), (scratch.folder / "report").string()});
+  const Folder scratch;
+  fs::copy(data / "pass", scratch.path / "verify", fs::copy_options::recursive);
+  write_whole(scratch.path / "verify" / "pendulum" / "work.csv", "series,step\nrk4,1\n");
+  const Finished finished = program({(scratch.path / "verify").string(), (scratch.path / "report").string()});
   BOOST_TEST(finished.status == 2);
   BOOST_TEST(contains(finished.messages, "work.csv: has no column 'error'"));
-  BOOST_TEST(fs::is_empty(scratch.folder / "report"));
+  BOOST_TEST(fs::is_empty(scratch.path / "report"));
 }
 
 BOOST_AUTO_TEST_CASE(the_summary_comes_first_and_the_long_tables_in_a_volume_of_their_own) {
@@ -242,8 +242,8 @@ BOOST_AUTO_TEST_CASE(the_bibliography_becomes_the_list_of_references) {
 }
 
 BOOST_AUTO_TEST_CASE(references_of_all_types_keep_what_is_known_of_them) {
-  const Scratch scratch("references");
-  const Document document{scratch.folder, "page", "Page", find_resources() / "pandoc", 0};
+  const Folder scratch;
+  const Document document{scratch.path, "page", "Page", find_resources() / "pandoc", 0};
   const std::string list = references_of(R"(
 @string{unseen = {Not at hand.}}
 @book{strutt1877, author = {{Strutt, Baron Rayleigh}, J. W.}, title = {{The Theory of Sound}}, volume = {I},
@@ -277,18 +277,18 @@ BOOST_AUTO_TEST_CASE(references_of_all_types_keep_what_is_known_of_them) {
 }
 
 BOOST_AUTO_TEST_CASE(missing_tools_and_wrong_usage_have_their_exit_codes) {
-  const Scratch scratch("report");
-  const Finished bare = program({(data / "pass").string(), scratch.folder.string()}, {{"PATH", "/nowhere"}});
+  const Folder scratch;
+  const Finished bare = program({(data / "pass").string(), scratch.path.string()}, {{"PATH", "/nowhere"}});
   BOOST_TEST(bare.status == 4);
   for (const char* expected :
        {"gnuplot: cannot be started: No such file or directory (is it installed? Debian's packages: gnuplot-nox; ",
         "Debian's packages: pandoc; "})
     BOOST_TEST(contains(bare.messages, expected), bare.messages);
-  BOOST_TEST(bare.output == (scratch.folder / "verification.md").string() + "\n" +
-                                (scratch.folder / "verification-details.md").string() + "\n");
+  BOOST_TEST(bare.output == (scratch.path / "verification.md").string() + "\n" +
+                                (scratch.path / "verification-details.md").string() + "\n");
   BOOST_TEST(program({(data / "pass").string()}).status == 2);
   BOOST_TEST(program({"--format", "gif", "--plot", "x"}).status == 2);
-  BOOST_TEST(program({(data / "none").string(), scratch.folder.string()}).status == 4);
+  BOOST_TEST(program({(data / "none").string(), scratch.path.string()}).status == 4);
   BOOST_TEST(program({"--help"}).status == 0);
   const Finished unknown = program({"--sketch", "x"});
   BOOST_TEST(unknown.status == 2);
@@ -301,14 +301,14 @@ BOOST_AUTO_TEST_CASE(missing_tools_and_wrong_usage_have_their_exit_codes) {
 // A PATH with all tools but one: outputs that do not need it are made, and an earlier report's files of a kind that
 // cannot be made are removed.
 BOOST_AUTO_TEST_CASE(a_missing_tool_costs_only_what_needs_it) {
-  const Scratch scratch("tools");
+  const Folder scratch;
   const std::vector<std::string> tools{"gnuplot", "pandoc", "pdflatex"};
   for (const auto& [missing, package, made] :
        {std::tuple{"gnuplot", "gnuplot-nox",
                    std::vector<std::string>{"html", "verification-details.pdf", "verification.pdf"}},
         {"pandoc", "pandoc", {"figures"}},
         {"pdflatex", "texlive-latex-recommended and lmodern", {"figures", "html"}}}) {
-    const fs::path bin = scratch.folder / missing / "bin", report = scratch.folder / missing / "report";
+    const fs::path bin = scratch.path / missing / "bin", report = scratch.path / missing / "report";
     fs::create_directories(bin), fs::create_directories(report);
     for (const std::string& tool : tools) {
       if (tool == missing) continue;
@@ -340,38 +340,38 @@ BOOST_AUTO_TEST_CASE(a_missing_tool_costs_only_what_needs_it) {
 }
 
 BOOST_AUTO_TEST_CASE(a_site_is_made_of_markdown_pages) {
-  const Scratch scratch("site");
-  write_whole(scratch.folder / "README.md", "# First\n\nSee [the other](other.html#part-two).\n");
-  write_whole(scratch.folder / "other.md", "# Other\n\n## Part two\n\n$x^2$\n");
+  const Folder scratch;
+  write_whole(scratch.path / "README.md", "# First\n\nSee [the other](other.html#part-two).\n");
+  write_whole(scratch.path / "other.md", "# Other\n\n## Part two\n\n$x^2$\n");
   const auto site = [&](const char* first) {
-    return program({"--title", "Guide", "--to", (scratch.folder / "out").string(), "--site",
-                    (scratch.folder / first).string(), (scratch.folder / "other.md").string()});
+    return program({"--title", "Guide", "--to", (scratch.path / "out").string(), "--site",
+                    (scratch.path / first).string(), (scratch.path / "other.md").string()});
   };
   const Finished finished = site("README.md");
   BOOST_TEST_REQUIRE(finished.status == 0, finished.messages);
-  const std::string index = read_whole(scratch.folder / "out" / "index.html");
+  const std::string index = read_whole(scratch.path / "out" / "index.html");
   BOOST_TEST(contains(index, "<title>First - Guide</title>"));
   BOOST_TEST(contains(index, "<a href=\"other.html\">Other</a>"));
-  BOOST_TEST(contains(read_whole(scratch.folder / "out" / "other.html"), "<h2 id=\"part-two\">"));
-  BOOST_TEST(contains(read_whole(scratch.folder / "out" / "search.js"), "Part two"));
-  write_whole(scratch.folder / "bare.md", "No heading.\n");
+  BOOST_TEST(contains(read_whole(scratch.path / "out" / "other.html"), "<h2 id=\"part-two\">"));
+  BOOST_TEST(contains(read_whole(scratch.path / "out" / "search.js"), "Part two"));
+  write_whole(scratch.path / "bare.md", "No heading.\n");
   BOOST_TEST(site("bare.md").status == 2);
   BOOST_TEST(contains(site("bare.md").messages, "bare.md:1: must begin with '# '"));
-  BOOST_TEST(contains(program({"--site", (scratch.folder / "other.md").string()}).messages,
+  BOOST_TEST(contains(program({"--site", (scratch.path / "other.md").string()}).messages,
                       "--site and --sketches require --to"));
 }
 
 BOOST_AUTO_TEST_CASE(sketches_of_pages_are_drawn_for_their_authors) {
-  const Scratch scratch("sketches");
+  const Folder scratch;
   const auto sketch = [&](const std::string& page) {
-    write_whole(scratch.folder / "drop.md", page);
-    return program({"--sketches", (scratch.folder / "drop.md").string(), "--to", (scratch.folder / "out").string()});
+    write_whole(scratch.path / "drop.md", page);
+    return program({"--sketches", (scratch.path / "drop.md").string(), "--to", (scratch.path / "out").string()});
   };
   const Finished finished = sketch("Text.\n\n```sketch A ball\ndisc 0 0 1\n```\n\n```sketch A box\nbox 0 0 1 1\n```\n");
   BOOST_TEST_REQUIRE(finished.status == 0, finished.messages);
   for (const char* name : {"drop-sketch-1.svg", "drop-sketch-1.pdf", "drop-sketch-1.png", "drop-sketch-2.svg"}) {
     BOOST_TEST(contains(finished.output, name));
-    BOOST_TEST(fs::file_size(scratch.folder / "out" / name) > 500U);
+    BOOST_TEST(fs::file_size(scratch.path / "out" / name) > 500U);
   }
   BOOST_TEST(sketch("No sketch.\n").status == 2);
   BOOST_TEST(contains(sketch("No sketch.\n").messages, "drop.md: it has no sketch"));

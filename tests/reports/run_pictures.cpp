@@ -7,7 +7,7 @@
 #include "reports/base/error.hpp"
 #include "reports/base/process.hpp"
 #include "tests/reports/report_program.hpp"
-#include "tests/reports/scratch.hpp"
+#include "tests/temporary_folder.hpp"
 #include "verification/record/whole_file.hpp"
 
 BOOST_AUTO_TEST_SUITE(run_pictures_tests)
@@ -59,41 +59,41 @@ std::string page_error(const Pictures& pictures, const fs::path& target) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(a_run_is_plotted_in_each_format) {
-  const Scratch scratch("plots");
-  write_whole(scratch.folder / "history.csv", "time [s],x [m]\n0,1\n1,2\n2,1.5\n");
-  write_whole(scratch.folder / "plot.json",
+  const Folder scratch;
+  write_whole(scratch.path / "history.csv", "time [s],x [m]\n0,1\n1,2\n2,1.5\n");
+  write_whole(scratch.path / "plot.json",
               R"({"schema": 1, "title": "run", "figures": [{"name": "path", "title": "Path", "csv": "history.csv",
                  "x": {"label": "time", "unit": "s"}, "y": {"label": "x", "unit": "m"},
                  "series": [{"label": "rock", "x": "time [s]", "y": "x [m]", "style": "lines"}]}]})");
-  const Finished finished = program({"--plot", scratch.folder.string()});
+  const Finished finished = program({"--plot", scratch.path.string()});
   BOOST_TEST_REQUIRE(finished.status == 0, finished.messages);
   for (const char* name : {"path.svg", "path.pdf", "path.png"}) {
     BOOST_TEST(contains(finished.output, name));
-    BOOST_TEST(fs::file_size(scratch.folder / "plots" / name) > 500U);
+    BOOST_TEST(fs::file_size(scratch.path / "plots" / name) > 500U);
   }
-  fs::remove_all(scratch.folder / "plots");
-  BOOST_TEST(program({"--plot", scratch.folder.string(), "--format", "svg"}).status == 0);
-  BOOST_TEST(fs::exists(scratch.folder / "plots" / "path.svg"));
-  BOOST_TEST(!fs::exists(scratch.folder / "plots" / "path.pdf"));
+  fs::remove_all(scratch.path / "plots");
+  BOOST_TEST(program({"--plot", scratch.path.string(), "--format", "svg"}).status == 0);
+  BOOST_TEST(fs::exists(scratch.path / "plots" / "path.svg"));
+  BOOST_TEST(!fs::exists(scratch.path / "plots" / "path.pdf"));
 }
 
 BOOST_AUTO_TEST_CASE(a_page_shows_shapes_in_the_colours_of_their_values) {
-  const Scratch scratch("page");
+  const Folder scratch;
   const Page page = two_panels();
   const Made made = make_pictures({.pages = {page},
                                    .films = {{"film", 0.1, {page, page}}},
                                    .players = {{"play", "A <b>", R"({"title": "</script>"})"}}},
-                                  scratch.folder, {"svg", "ps"}, tools);
+                                  scratch.path, {"svg", "ps"}, tools);
   BOOST_TEST(made.warnings == "");
   BOOST_TEST(made.files.size() == 4U);
-  const std::string svg = read_whole(scratch.folder / "page.svg");
+  const std::string svg = read_whole(scratch.path / "page.svg");
   // The dark end of the scale for a tension of 8, its pale end for zero; a fill and its line; title, key and number.
   for (const char* part :
        {"rgb(103,   0,  31)", "rgb(254, 196,  79)", "rgb(160, 176, 192)", "Two", "square", "tension [N]", ">7<"})
     BOOST_TEST(contains(svg, part), part);
-  BOOST_TEST(contains(read_whole(scratch.folder / "page.ps"), "%%CreationDate: Thu Jan  1 00:00:00 1970"));
-  BOOST_TEST(read_whole(scratch.folder / "film.gif").rfind("GIF89a", 0) == 0U);
-  const std::string html = read_whole(scratch.folder / "play.html");
+  BOOST_TEST(contains(read_whole(scratch.path / "page.ps"), "%%CreationDate: Thu Jan  1 00:00:00 1970"));
+  BOOST_TEST(read_whole(scratch.path / "film.gif").rfind("GIF89a", 0) == 0U);
+  const std::string html = read_whole(scratch.path / "play.html");
   BOOST_TEST(contains(html, "<title>A &lt;b&gt;</title>"));
   BOOST_TEST(contains(html, R"({"title": "\u003c/script>"})"));
 }
@@ -101,7 +101,7 @@ BOOST_AUTO_TEST_CASE(a_page_shows_shapes_in_the_colours_of_their_values) {
 // Circles with a value have the dark and the pale end of the scale, the others their fill; small circles have outlines
 // with few corners.
 BOOST_AUTO_TEST_CASE(circles_are_filled_by_their_values) {
-  const Scratch scratch("circles");
+  const Folder scratch;
   Figure panel{
       .name = "p",
       .title = "",
@@ -122,14 +122,14 @@ BOOST_AUTO_TEST_CASE(circles_are_filled_by_their_values) {
         .pages = {
             {.name = "page", .title = "", .columns = 1, .panels = {figure}, .scale = Scale{"speed", 0.0, 8.0, "m/s"}}}};
   };
-  BOOST_TEST(make_pictures(page(panel), scratch.folder, {"svg"}, tools).warnings == "");
-  const std::string svg = read_whole(scratch.folder / "page.svg");
+  BOOST_TEST(make_pictures(page(panel), scratch.path, {"svg"}, tools).warnings == "");
+  const std::string svg = read_whole(scratch.path / "page.svg");
   for (const char* part : {"rgb(103,   0,  31)", "rgb(254, 196,  79)", "rgb(160, 176, 192)", ">wall<", "speed [m/s]"})
     BOOST_TEST(contains(svg, part), part);
   const auto error_message = [&](auto&& change) {
     Figure wrong = panel;
     change(wrong);
-    return page_error(page(wrong), scratch.folder);
+    return page_error(page(wrong), scratch.path);
   };
   BOOST_TEST(error_message([](Figure& f) { f.series[0].radius = {}; }) ==
              "page 'page': panels[0]: series[0].radius: is missing: circles need it");
@@ -142,11 +142,11 @@ BOOST_AUTO_TEST_CASE(circles_are_filled_by_their_values) {
 }
 
 BOOST_AUTO_TEST_CASE(wrong_pages_are_named) {
-  const Scratch scratch("page");
+  const Folder scratch;
   const auto error_message = [&](auto&& change) {
     Pictures pictures{.pages = {two_panels()}, .films = {{"film", 0.1, {two_panels()}}}, .players = {{"play", "", ""}}};
     change(pictures);
-    return page_error(pictures, scratch.folder);
+    return page_error(pictures, scratch.path);
   };
   BOOST_TEST(error_message([](Pictures& p) { p.pages[0].panels[1].series[0].look.colour = "blue"; }) ==
              "page 'page': panels[1]: series[0].colour: must be a colour such as #0072b2, found 'blue'");
@@ -171,13 +171,13 @@ BOOST_AUTO_TEST_CASE(wrong_pages_are_named) {
              "film 'film': pages[0]: columns: must be from 1 to 12, found 13");
   BOOST_TEST(error_message([](Pictures& p) { p.players[0].name = "../play"; }) ==
              "name of a player: found '../play'; it must be a plain file name");
-  for (const auto& entry : fs::directory_iterator(scratch.folder))
+  for (const auto& entry : fs::directory_iterator(scratch.path))
     BOOST_TEST(entry.path().filename().string().front() != '.', "left behind: " << entry.path());
 }
 
 BOOST_AUTO_TEST_CASE(wrong_figures_of_a_run_are_named) {
-  const Scratch scratch("plots");
-  write_whole(scratch.folder / "history.csv", "time,x,kind\n0,1,a\n1,2,a\n");
+  const Folder scratch;
+  write_whole(scratch.path / "history.csv", "time,x,kind\n0,1,a\n1,2,a\n");
   const std::string good =
       R"({"schema": 1, "figures": [{"name": "path", "title": "Path", "csv": "history.csv", "x": {"label": "time"},
           "y": {"label": "x"}, "series": [{"x": "time", "y": "x", "style": "lines"}]}]})";
@@ -191,8 +191,8 @@ BOOST_AUTO_TEST_CASE(wrong_figures_of_a_run_are_named) {
   for (const auto& [change, expected] : changes) {
     std::string text = good;
     text.replace(text.find(change.first), change.first.size(), change.second);
-    write_whole(scratch.folder / "plot.json", text);
-    const Finished finished = program({"--plot", scratch.folder.string()});
+    write_whole(scratch.path / "plot.json", text);
+    const Finished finished = program({"--plot", scratch.path.string()});
     BOOST_TEST(finished.status == 2);
     BOOST_TEST(contains(finished.messages, expected), finished.messages);
   }

@@ -6,7 +6,7 @@
 #include "reports/base/process.hpp"
 #include "reports/sheet/sheet_tables.hpp"
 #include "reports/sheet/sheet_verdict.hpp"
-#include "tests/reports/scratch.hpp"
+#include "tests/temporary_folder.hpp"
 #include "verification/record/whole_file.hpp"
 
 BOOST_AUTO_TEST_SUITE(sheet_tests)
@@ -130,17 +130,17 @@ BOOST_AUTO_TEST_CASE(long_lists_are_cut_and_say_so) {
 }
 
 BOOST_AUTO_TEST_CASE(the_same_record_gives_the_same_pages) {
-  const Scratch scratch("sheet");
+  const Folder scratch;
   std::string before[2];
   for (std::string& pages : before) {
-    write_whole(scratch.folder / "sheet.json", read_whole(record_file));
-    const Finished made = run({TALUS_REPORT_PROGRAM, {"--sheet", scratch.folder.string()}, {}, {}});
+    write_whole(scratch.path / "sheet.json", read_whole(record_file));
+    const Finished made = run({TALUS_REPORT_PROGRAM, {"--sheet", scratch.path.string()}, {}, {}});
     BOOST_TEST_REQUIRE(made.status == 0, made.messages);
-    pages = read_whole(scratch.folder / "sheet.pdf") + read_whole(scratch.folder / "sheet.html");
+    pages = read_whole(scratch.path / "sheet.pdf") + read_whole(scratch.path / "sheet.html");
   }
   BOOST_TEST((before[0] == before[1]));
-  BOOST_TEST(std::distance(fs::directory_iterator{scratch.folder}, {}) == 3);
-  const std::string html = read_whole(scratch.folder / "sheet.html");
+  BOOST_TEST(std::distance(fs::directory_iterator{scratch.path}, {}) == 3);
+  const std::string html = read_whole(scratch.path / "sheet.html");
   BOOST_TEST(contains(html, "<h1>A &amp; B: 50 % of {x_1} #2 &lt;\\&gt; ~ ^ µ ★</h1>"));
   BOOST_TEST(contains(html, "<svg"));
   BOOST_TEST(!contains(html, "src="));  // all in one file
@@ -149,30 +149,29 @@ BOOST_AUTO_TEST_CASE(the_same_record_gives_the_same_pages) {
   BOOST_TEST(!contains(html, "class=\"unusable\""));
   // A run that is not usable is crossed out.
   std::string flawed = replaced(read_whole(record_file), "\"usable\": true", "\"usable\": false");
-  write_whole(scratch.folder / "sheet.json", replaced(flawed, "\"flaw\": \"\"", "\"flaw\": \"it diverged\""));
-  BOOST_TEST(run({TALUS_REPORT_PROGRAM, {"--sheet", scratch.folder.string()}, {}, {}}).status == 0);
-  BOOST_TEST(contains(read_whole(scratch.folder / "sheet.html"), "class=\"unusable\""));
-  BOOST_TEST(contains(read_whole(scratch.folder / "sheet.html"), "it diverged"));
-  BOOST_TEST(read_whole(scratch.folder / "sheet.pdf") !=
-             before[0].substr(0, read_whole(scratch.folder / "sheet.pdf").size()));
+  write_whole(scratch.path / "sheet.json", replaced(flawed, "\"flaw\": \"\"", "\"flaw\": \"it diverged\""));
+  BOOST_TEST(run({TALUS_REPORT_PROGRAM, {"--sheet", scratch.path.string()}, {}, {}}).status == 0);
+  BOOST_TEST(contains(read_whole(scratch.path / "sheet.html"), "class=\"unusable\""));
+  BOOST_TEST(contains(read_whole(scratch.path / "sheet.html"), "it diverged"));
+  BOOST_TEST(read_whole(scratch.path / "sheet.pdf") !=
+             before[0].substr(0, read_whole(scratch.path / "sheet.pdf").size()));
 }
 
 // Without gnuplot both pages have no pictures; without pdflatex only the HTML page is made.
 BOOST_AUTO_TEST_CASE(a_missing_tool_costs_only_what_needs_it) {
-  const Scratch scratch("sheet");
-  write_whole(scratch.folder / "sheet.json", read_whole(record_file));
+  const Folder scratch;
+  write_whole(scratch.path / "sheet.json", read_whole(record_file));
   for (const bool draws : {false, true}) {
-    const fs::path bin = scratch.folder / (draws ? "draws" : "sets");
+    const fs::path bin = scratch.path / (draws ? "draws" : "sets");
     fs::create_directory(bin);
     const std::string tool = draws ? "gnuplot" : "pdflatex", missing = draws ? "pdflatex" : "gnuplot";
     write_whole(bin / tool, "#!/bin/sh\nPATH=/usr/local/bin:/usr/bin:/bin\nexec " + tool + " \"$@\"\n");
     fs::permissions(bin / tool, fs::perms::owner_all);
-    const Finished made =
-        run({TALUS_REPORT_PROGRAM, {"--sheet", scratch.folder.string()}, {}, {{"PATH", bin.string()}}});
+    const Finished made = run({TALUS_REPORT_PROGRAM, {"--sheet", scratch.path.string()}, {}, {{"PATH", bin.string()}}});
     BOOST_TEST(made.status == 4);
     BOOST_TEST(contains(made.messages, missing + ": cannot be started: "), made.messages);
-    BOOST_TEST(fs::exists(scratch.folder / "sheet.pdf") != draws);
-    const std::string html = read_whole(scratch.folder / "sheet.html");
+    BOOST_TEST(fs::exists(scratch.path / "sheet.pdf") != draws);
+    const std::string html = read_whole(scratch.path / "sheet.html");
     BOOST_TEST(contains(html, "Hangers"));
     BOOST_TEST(contains(html, "<svg") == draws);
   }
@@ -180,7 +179,7 @@ BOOST_AUTO_TEST_CASE(a_missing_tool_costs_only_what_needs_it) {
 
 // A title may contain characters with a meaning in HTML, LaTeX, gnuplot, a shell or a template.
 BOOST_AUTO_TEST_CASE(a_title_is_text_in_every_format) {
-  const Scratch scratch("sheet");
+  const Folder scratch;
   const std::string title =
       "<script>alert(1)</script> $x$ $(touch pwned) `touch pwned` \\\\input{/etc/passwd} \\\\write18{touch pwned} % # "
       "_ ^ ~ & { } "
@@ -193,22 +192,22 @@ BOOST_AUTO_TEST_CASE(a_title_is_text_in_every_format) {
   for (std::size_t at = text.rfind("top1"); at != std::string::npos && at > end; at = text.rfind("top1", at - 1))
     text.replace(at, 4, "<b>`touch pwned` $ \\\\x % #");
   text.replace(offset, end - offset, title);
-  write_whole(scratch.folder / "sheet.json", text);
-  const Finished made = run({TALUS_REPORT_PROGRAM, {"--sheet", scratch.folder.string()}, scratch.folder, {}});
+  write_whole(scratch.path / "sheet.json", text);
+  const Finished made = run({TALUS_REPORT_PROGRAM, {"--sheet", scratch.path.string()}, scratch.path, {}});
   BOOST_TEST(made.status == 0, made.messages);
   BOOST_TEST(made.messages == "");
-  const std::string html = read_whole(scratch.folder / "sheet.html");
+  const std::string html = read_whole(scratch.path / "sheet.html");
   BOOST_TEST(contains(html, "<title>&lt;script&gt;alert(1)&lt;/script&gt; $x$ $(touch pwned) `touch pwned` "));
   BOOST_TEST(contains(html, "{{title}}"));
   BOOST_TEST((!contains(html, "<script>") && !contains(html, "<b>`")));
-  for (const auto& entry : fs::recursive_directory_iterator(scratch.folder))
+  for (const auto& entry : fs::recursive_directory_iterator(scratch.path))
     BOOST_TEST(!contains(entry.path().filename().string(), "pwned"));
 }
 
 BOOST_AUTO_TEST_CASE(records_that_are_wrong) {
-  const Scratch scratch("sheet");
+  const Folder scratch;
   const std::string good = read_whole(record_file);
-  const fs::path file = scratch.folder / "sheet.json";
+  const fs::path file = scratch.path / "sheet.json";
   for (const auto& [text, expected] :
        {std::pair{replaced(good, "\"schema\": 3", "\"schema\": 2"),
                   ".schema: must be 3, found 2: run the fence again with --sheet, by this version of talus"},
@@ -218,10 +217,10 @@ BOOST_AUTO_TEST_CASE(records_that_are_wrong) {
         {replaced(good, "\"margin\": 0.0", "\"margin\": \"inf\""), ".margin: must be a finite"},
         {std::string{"{"}, ": truncated or not JSON"}}) {
     write_whole(file, text);
-    const Finished refused = run({TALUS_REPORT_PROGRAM, {"--sheet", scratch.folder.string()}, {}, {}});
+    const Finished refused = run({TALUS_REPORT_PROGRAM, {"--sheet", scratch.path.string()}, {}, {}});
     BOOST_TEST(refused.status == 2);
     BOOST_TEST(contains(refused.messages, expected), refused.messages);
-    BOOST_TEST(!fs::exists(scratch.folder / "sheet.pdf"));
+    BOOST_TEST(!fs::exists(scratch.path / "sheet.pdf"));
   }
 }
 

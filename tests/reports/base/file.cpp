@@ -6,7 +6,7 @@
 #include <boost/test/unit_test.hpp>
 #include <fstream>
 
-#include "tests/reports/scratch.hpp"
+#include "tests/temporary_folder.hpp"
 
 BOOST_AUTO_TEST_SUITE(file_tests)
 
@@ -28,27 +28,27 @@ pid_t ended_process() {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(what_is_not_published_is_removed) {
-  const Scratch scratch("file");
+  const Folder scratch;
   {
-    const StagingFolder staging{scratch.folder};
+    const StagingFolder staging{scratch.path};
     std::ofstream{staging.folder() / "whole"} << "text";
     std::ofstream{staging.folder() / "half"} << "te";
     staging.publish("whole");
     BOOST_TEST(staging.folder().filename() == partial(::getpid()));
   }
-  BOOST_TEST(fs::exists(scratch.folder / "whole"));
-  BOOST_TEST(std::distance(fs::directory_iterator{scratch.folder}, {}) == 1);
+  BOOST_TEST(fs::exists(scratch.path / "whole"));
+  BOOST_TEST(std::distance(fs::directory_iterator{scratch.path}, {}) == 1);
 }
 
 BOOST_AUTO_TEST_CASE(folders_of_killed_processes_are_removed) {
-  const Scratch scratch("file");
+  const Folder scratch;
   const std::string killed = partial(ended_process()), alive = partial(::getppid());
   for (const std::string& name : {killed, alive, std::string{".partial-"}, std::string{".partial-1x"}})
-    fs::create_directories(scratch.folder / name / "figures");
-  const StagingFolder staging{scratch.folder};
-  BOOST_TEST(!fs::exists(scratch.folder / killed));
+    fs::create_directories(scratch.path / name / "figures");
+  const StagingFolder staging{scratch.path};
+  BOOST_TEST(!fs::exists(scratch.path / killed));
   for (const std::string& name : {alive, std::string{".partial-"}, std::string{".partial-1x"}})
-    BOOST_TEST(fs::exists(scratch.folder / name), name);
+    BOOST_TEST(fs::exists(scratch.path / name), name);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -8,7 +8,7 @@
 #include "reports/figures/gnuplot_script.hpp"
 #include "reports/figures/gnuplot_text.hpp"
 #include "reports/figures/page_script.hpp"
-#include "tests/reports/scratch.hpp"
+#include "tests/temporary_folder.hpp"
 
 BOOST_AUTO_TEST_SUITE(plot_tests)
 
@@ -35,11 +35,11 @@ Figure figure_of(bool log) {
   return figure;
 }
 
-void write_csv(const Scratch& scratch, const std::string& text) { std::ofstream(scratch.folder / "f.csv") << text; }
+void write_csv(const Folder& scratch, const std::string& text) { std::ofstream(scratch.path / "f.csv") << text; }
 
-std::string error_message(const Figure& figure, const Scratch& scratch) {
+std::string error_message(const Figure& figure, const Folder& scratch) {
   try {
-    static_cast<void>(plot_of(figure, scratch.folder));
+    static_cast<void>(plot_of(figure, scratch.path));
   } catch (const RecordError& wrong) {
     return wrong.what();
   }
@@ -65,7 +65,7 @@ BOOST_AUTO_TEST_CASE(labels_are_text) {
 }
 
 BOOST_AUTO_TEST_CASE(what_is_missing_is_named) {
-  const Scratch scratch("plot");
+  const Folder scratch;
   BOOST_TEST(names(error_message(figure_of(false), scratch), "f.csv: No such file or directory"));
   write_csv(scratch, "h [s],error\n1,2\n");
   BOOST_TEST(names(error_message(figure_of(false), scratch), "has no column 'e'; its columns: h [s], error"));
@@ -103,13 +103,13 @@ BOOST_AUTO_TEST_CASE(thinning_keeps_ends_and_extremes) {
 }
 
 BOOST_AUTO_TEST_CASE(a_script_draws_points_slopes_and_lines) {
-  const Scratch scratch("plot");
+  const Folder scratch;
   write_csv(scratch, "series,h [s],e\na,0.1,1e-2\nb,0.1,7\na,0.001,1e-6\na,0.01,0\n");
   Figure figure = figure_of(true);
   figure.series[0].columns.where = "a";
   figure.slopes = {{2.0, 1e-2, 1e-4, "h^2"}};
   figure.lines = {{'x', 0.02, "production"}, {'y', 1e-3, "limit"}};
-  const Plot plot = plot_of(figure, scratch.folder);
+  const Plot plot = plot_of(figure, scratch.path);
   BOOST_TEST(plot.undrawn == 1U);
   BOOST_TEST(plot.curves[0].points.size() == 2U);
   const std::string script = figure_script(plot, {"/p/preamble.gp", "/out", {"pdf", "svg"}}, "stem");
@@ -126,12 +126,12 @@ BOOST_AUTO_TEST_CASE(long_titles_of_y_axes_are_broken) {
              R"('error against rigid impact'."\n".'[ft/s, rad]')");
   BOOST_TEST(gnuplot_lines("k_n of a contact", 16) == "'k_{n} of a contact'");
   BOOST_TEST(gnuplot_lines("incompressible", 5) == "'incompressible'");
-  const Scratch scratch("plot");
+  const Folder scratch;
   write_csv(scratch, "series,h [s],e\na,0.1,1e-2\na,0.001,1e-6\n");
   Figure figure = figure_of(true);
   figure.y.label = "plastic elongation of the segment beside the column that was hit";
   const Canvas canvas{"/p/preamble.gp", "/out", {"pdf"}};
-  const std::string script = figure_script(plot_of(figure, scratch.folder), canvas, "stem");
+  const std::string script = figure_script(plot_of(figure, scratch.path), canvas, "stem");
   const std::size_t maximum = letters_along(canvas.height - 1.8, canvas.letters);
   const std::size_t from = script.find("set ylabel "), to = script.find('\n', from);
   std::size_t lines = 0;
@@ -159,7 +159,7 @@ BOOST_AUTO_TEST_CASE(log_tics_stand_at_powers_of_ten) {
 }
 
 BOOST_AUTO_TEST_CASE(heat_maps_are_drawn_in_their_panels) {
-  const Scratch scratch("heat");
+  const Folder scratch;
   Figure figure = figure_of(false);
   figure.series = {series_of("map", Style::heat, "a"), series_of("limit", Style::lines, "b"),
                    series_of("other", Style::heat, "a", 1)};
@@ -167,10 +167,10 @@ BOOST_AUTO_TEST_CASE(heat_maps_are_drawn_in_their_panels) {
   figure.columns = 2;
   figure.scale = Scale{"growth", -1.0, 1.0, "1"};
   write_csv(scratch, "series,h [s],e,value\na,0,1,-9\na,1,1,0\nb,0,1,0\nb,1,1,0\n");
-  const PagePlot page = panelled(figure, scratch.folder);
+  const PagePlot page = panelled(figure, scratch.path);
   BOOST_TEST(page.panels.size() == 2u);
   BOOST_TEST(page.panels[0].figure.title == "first");
-  const std::string script = page_script(page, {"preamble.gp", scratch.folder, {"svg"}}, "f");
+  const std::string script = page_script(page, {"preamble.gp", scratch.path, {"svg"}}, "f");
   BOOST_TEST(names(script, "0 1 5 48 97\n"));  // below the scale: blue, the colour of its lower end
   BOOST_TEST(names(script, "1 1 247 247 247\n"));
   BOOST_TEST(names(script, "with rgbimage"));

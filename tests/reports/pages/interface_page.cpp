@@ -2,7 +2,7 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include "tests/reports/scratch.hpp"
+#include "tests/temporary_folder.hpp"
 #include "verification/record/error.hpp"
 #include "verification/record/whole_file.hpp"
 
@@ -51,8 +51,8 @@ BOOST_AUTO_TEST_CASE(items_are_counted_by_kind_and_gaps_are_named) {
 }
 
 BOOST_AUTO_TEST_CASE(what_is_written_is_read) {
-  const Scratch scratch("interface");
-  const auto file = scratch.folder / "interface.json";
+  const Folder scratch;
+  const auto file = scratch.path / "interface.json";
   write_interface(items, file);
   const std::vector<InterfaceItem> read = read_interface(file);
   BOOST_TEST_REQUIRE(read.size() == items.size());

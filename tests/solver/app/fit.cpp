@@ -6,7 +6,7 @@
 #include <thread>
 
 #include "tests/solver/app/program.hpp"
-#include "tests/solver/io/folder.hpp"
+#include "tests/temporary_folder.hpp"
 
 BOOST_AUTO_TEST_SUITE(fit_tests)
 

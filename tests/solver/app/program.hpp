@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "solver/io/file/toml_document.hpp"
-#include "tests/solver/io/folder.hpp"
+#include "tests/temporary_folder.hpp"
 
 // Programs as started by a user, for end-to-end tests.
 

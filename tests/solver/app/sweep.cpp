@@ -10,7 +10,7 @@
 #include <tuple>
 
 #include "tests/solver/app/program.hpp"
-#include "tests/solver/io/folder.hpp"
+#include "tests/temporary_folder.hpp"
 
 BOOST_AUTO_TEST_SUITE(sweep_tests)
 

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include "tests/solver/io/folder.hpp"
+#include "tests/temporary_folder.hpp"
 
 /// A sweep of a ball that a clamped spring and dashpot reflect: inputs are its speed [m/s] and the damping [N s/m], the
 /// mass is the same in all runs; outputs the velocity after the impact [m/s], and its largest x [m]. The scene

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "tests/verification/record/scratch.hpp"
+#include "tests/verification/record/error_message.hpp"
 
 BOOST_AUTO_TEST_SUITE(csv_tests)
 
@@ -84,7 +84,7 @@ BOOST_AUTO_TEST_CASE(broken_files_are_refused_with_file_and_line) {
              "a.csv: found two columns 'x'; give them different names");
   const Csv csv("a.csv", "x,y\n1,2\n");
   BOOST_TEST(error_message([&] { (void)csv.column("z"); }) == "a.csv: has no column 'z'; its columns: x, y");
-  const Scratch folder;
+  const Folder folder;
   BOOST_TEST(holds(error_message([&] { (void)read_csv(folder.path / "none.csv"); }), "No such file or directory"));
 }
 

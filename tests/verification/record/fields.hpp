@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/verification/record/scratch.hpp"
+#include "tests/verification/record/error_message.hpp"
 #include "verification/record/json_node.hpp"
 
 /// A member of a JSON document: its path ("record.checks[0].name"), its key, and a pointer to it.

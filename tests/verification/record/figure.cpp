@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "tests/verification/record/scratch.hpp"
+#include "tests/verification/record/error_message.hpp"
 #include "verification/record/figure_points.hpp"
 
 BOOST_AUTO_TEST_SUITE(figure_tests)
@@ -120,7 +120,7 @@ BOOST_AUTO_TEST_CASE(shapes_and_circles_have_lines_values_and_radii) {
 }
 
 BOOST_AUTO_TEST_CASE(figures_share_a_file_beside_them) {
-  const Scratch scratch;
+  const Folder scratch;
   std::ofstream{scratch.path / "a.csv"} << "t,x,y\n0,1,2\n1,3,4\n";
   std::ofstream{scratch.path / "b.csv"} << "t,x\n0,5\n";
   const auto figure = [](const std::string& name, const std::string& csv, const std::string& column) {

@@ -5,7 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "tests/verification/record/scratch.hpp"
+#include "tests/verification/record/error_message.hpp"
 #include "verification/record/json_fault.hpp"
 #include "verification/record/json_number.hpp"
 
@@ -100,7 +100,7 @@ BOOST_AUTO_TEST_CASE(errors_name_file_path_what_was_found_and_what_is_allowed) {
 }
 
 BOOST_AUTO_TEST_CASE(files_that_are_no_json_are_refused) {
-  const Scratch folder;
+  const Folder folder;
   const auto read = [&](const std::string& text) {
     return error_message([&] { (void)read_json(folder.file("a.json", text)); });
   };

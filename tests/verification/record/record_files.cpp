@@ -89,13 +89,13 @@ Record full_record() {
 }
 
 /// Error message of read_record() for the folder.
-std::string refused(const Scratch& folder) {
+std::string refused(const Folder& folder) {
   return error_message([&] { (void)read_record(folder.path); });
 }
 
 /// The error message after `from` was replaced by `to` in record.json.
 std::string refused_edited(const std::string& from, const std::string& to) {
-  const Scratch folder;
+  const Folder folder;
   write_record(full_record(), folder.path);
   std::string text = read_whole(folder.path / "record.json");
   const auto at = text.find(from);
@@ -110,7 +110,7 @@ bool same(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)
 
 // Earlier records, and baselines with them, have "words".
 BOOST_AUTO_TEST_CASE(the_former_name_of_the_text_of_a_mark_is_read) {
-  const Scratch folder;
+  const Folder folder;
   write_record(full_record(), folder.path);
   std::string text = read_whole(folder.path / "record.json");
   const std::string now = "\"text\": \"here\"", former = "\"words\": \"here\"";
@@ -121,7 +121,7 @@ BOOST_AUTO_TEST_CASE(the_former_name_of_the_text_of_a_mark_is_read) {
 }
 
 BOOST_AUTO_TEST_CASE(a_record_comes_back_the_same) {
-  const Scratch folder;
+  const Folder folder;
   const Record record = full_record();
   write_record(record, folder.path);
   const Record back = read_record(folder.path);
@@ -133,7 +133,7 @@ BOOST_AUTO_TEST_CASE(a_record_comes_back_the_same) {
 
 // Compares each member separately: one that is missing from the list of fields would be lost in both texts.
 BOOST_AUTO_TEST_CASE(each_member_of_a_record_comes_back) {
-  const Scratch folder;
+  const Folder folder;
   const Record record = full_record();
   write_record(record, folder.path);
   const Record back = read_record(folder.path);
@@ -179,7 +179,7 @@ BOOST_AUTO_TEST_CASE(each_member_of_a_record_comes_back) {
 }
 
 BOOST_AUTO_TEST_CASE(each_member_of_a_figure_comes_back) {
-  const Scratch folder;
+  const Folder folder;
   const Record record = full_record();
   write_record(record, folder.path);
   const Record back = read_record(folder.path);
@@ -225,7 +225,7 @@ BOOST_AUTO_TEST_CASE(each_absent_or_wrong_field_is_refused_by_its_path) {
 }
 
 BOOST_AUTO_TEST_CASE(unknown_keys_are_passed_over) {
-  const Scratch folder;
+  const Folder folder;
   write_record(full_record(), folder.path);
   Json json = Json::parse(read_whole(folder.path / "record.json"));
   json["later"] = 1;
@@ -235,7 +235,7 @@ BOOST_AUTO_TEST_CASE(unknown_keys_are_passed_over) {
 }
 
 BOOST_AUTO_TEST_CASE(missing_empty_and_truncated_records_are_refused) {
-  const Scratch folder;
+  const Folder folder;
   BOOST_TEST(holds(refused(folder), "record.json: No such file or directory"));
   folder.file("record.json", "");
   BOOST_TEST(holds(refused(folder), "record.json: is empty"));
@@ -268,7 +268,7 @@ BOOST_AUTO_TEST_CASE(numbers_that_may_not_be_infinite_are_refused) {
 
 BOOST_AUTO_TEST_CASE(what_does_not_follow_is_refused) {
   const auto refused_check = [](void (*spoil)(Check&)) {
-    const Scratch folder;
+    const Folder folder;
     Record record = full_record();
     spoil(record.checks[0]);
     write_record(record, folder.path);
@@ -284,7 +284,7 @@ BOOST_AUTO_TEST_CASE(what_does_not_follow_is_refused) {
   BOOST_TEST(holds(refused_check([](Check& c) { c.main = false; }), "check 'third' must be marked as main"));
   BOOST_TEST(holds(refused_check([](Check& c) { c.name = "lost"; }), "checks: 'lost' occurs twice"));
   const auto refused_record = [](void (*spoil)(Record&)) {
-    const Scratch folder;
+    const Folder folder;
     Record record = full_record();
     spoil(record);
     write_record(record, folder.path);
@@ -325,7 +325,7 @@ BOOST_AUTO_TEST_CASE(what_does_not_follow_is_refused) {
 }
 
 BOOST_AUTO_TEST_CASE(missing_and_broken_figure_data_are_refused) {
-  const Scratch folder;
+  const Folder folder;
   write_record(full_record(), folder.path);
   folder.file("error.csv", "");
   BOOST_TEST(holds(refused(folder), "error.csv: found no header"));
@@ -338,7 +338,7 @@ BOOST_AUTO_TEST_CASE(missing_and_broken_figure_data_are_refused) {
 }
 
 BOOST_AUTO_TEST_CASE(a_text_that_is_not_utf8_is_still_written) {
-  const Scratch folder;
+  const Folder folder;
   Record record = full_record();
   record.message = "no bracket \xff";
   write_record(record, folder.path);
@@ -346,7 +346,7 @@ BOOST_AUTO_TEST_CASE(a_text_that_is_not_utf8_is_still_written) {
 }
 
 BOOST_AUTO_TEST_CASE(a_record_that_cannot_be_written_leaves_the_old_one) {
-  const Scratch folder;
+  const Folder folder;
   write_record(full_record(), folder.path);
   Record other = full_record();
   other.title = "Another";

@@ -72,7 +72,7 @@ Results full_results() {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(results_come_back_the_same) {
-  const Scratch folder;
+  const Folder folder;
   const Results all = full_results();
   write_whole(folder.path / "results.json", text_of(all));
   const Results back = read_results(folder.path / "results.json");
@@ -113,7 +113,7 @@ BOOST_AUTO_TEST_CASE(a_good_file_is_read_and_written_to_the_same_bytes) {
   BOOST_TEST(results.records[0].checks[0].main);
   BOOST_TEST(results.records[0].figures[1].slopes[0].order == 0.5);
   BOOST_TEST(results.records[0].figures[1].series[0].columns.where == "attractive end");
-  const Scratch folder;
+  const Folder folder;
   write_whole(folder.path / "once.json", text_of(results));
   BOOST_TEST(text_of(read_results(folder.path / "once.json")) == read_whole(folder.path / "once.json"));
 }
@@ -126,7 +126,7 @@ BOOST_AUTO_TEST_CASE(errors_name_file_and_path) {
   BOOST_TEST(holds(refused([](Json& d) { d["provenance"]["date"] = "2026-02-30"; }), "is not a date"));
   BOOST_TEST(holds(refused([](Json& d) { d["cases"][0]["figures"][0]["csv"] = "../x.csv"; }), "plain file name"));
   BOOST_TEST(holds(refused([](Json& d) { d["cases"][0]["tables"][0]["rows"][0].erase(0); }), "has 3 cells"));
-  const Scratch folder;
+  const Folder folder;
   BOOST_TEST(holds(error_message([&] { (void)read_results(folder.file("results.json", "{\"schema\": 1,")); }),
                    "results.json: truncated or not JSON"));
   BOOST_CHECK_THROW((void)read_results(folder.path / "none.json"), FileError);

@@ -7,7 +7,7 @@
 #include <thread>
 #include <vector>
 
-#include "tests/verification/record/scratch.hpp"
+#include "tests/verification/record/error_message.hpp"
 
 BOOST_AUTO_TEST_SUITE(whole_file_tests)
 
@@ -43,7 +43,7 @@ mode_t permissions(const fs::path& file) {
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(a_file_is_written_and_replaced) {
-  const Scratch folder;
+  const Folder folder;
   const std::string bytes("one\0two\r\n", 9);
   write_whole(folder.path / "a", "first");
   write_whole(folder.path / "a", bytes);
@@ -54,7 +54,7 @@ BOOST_AUTO_TEST_CASE(a_file_is_written_and_replaced) {
 }
 
 BOOST_AUTO_TEST_CASE(a_new_file_has_the_usual_permissions) {
-  const Scratch folder;
+  const Folder folder;
   const mode_t before = ::umask(027);
   write_whole(folder.path / "a", "text");
   BOOST_TEST(::umask(before) == 027U);
@@ -63,7 +63,7 @@ BOOST_AUTO_TEST_CASE(a_new_file_has_the_usual_permissions) {
 
 // The disk fills up half-way: the old file is unchanged, and no other file remains.
 BOOST_AUTO_TEST_CASE(a_failure_leaves_the_old_file) {
-  const Scratch folder;
+  const Folder folder;
   const fs::path file = folder.path / "results.json";
   write_whole(file, "old");
   std::string expected;
@@ -77,7 +77,7 @@ BOOST_AUTO_TEST_CASE(a_failure_leaves_the_old_file) {
 }
 
 BOOST_AUTO_TEST_CASE(errors_give_the_systems_reason) {
-  const Scratch folder;
+  const Folder folder;
   BOOST_TEST(message("/dev/full", "text") == "/dev/full: No space left on device");
   const fs::path lost = folder.path / "no" / "a";
   BOOST_TEST(message(lost, "text") == lost.string() + ": No such file or directory");
@@ -89,7 +89,7 @@ BOOST_AUTO_TEST_CASE(errors_give_the_systems_reason) {
 }
 
 BOOST_AUTO_TEST_CASE(threads_write_side_by_side) {
-  const Scratch folder;
+  const Folder folder;
   std::vector<std::thread> threads;
   for (int t = 0; t < 4; ++t) {
     threads.emplace_back([&, t] {
@@ -107,7 +107,7 @@ BOOST_AUTO_TEST_CASE(threads_write_side_by_side) {
 }
 
 BOOST_AUTO_TEST_CASE(the_remains_of_a_killed_program_are_removed) {
-  const Scratch folder;
+  const Folder folder;
   folder.file(".a.csv.talus-0000ab", "half");
   folder.file(".b.csv.talus-0000ab", "half");
   folder.file(".a.csv.talus-0", "another's");

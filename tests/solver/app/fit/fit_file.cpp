@@ -5,7 +5,7 @@
 #include <string>
 
 #include "solver/base/error.hpp"
-#include "tests/solver/io/folder.hpp"
+#include "tests/temporary_folder.hpp"
 
 BOOST_AUTO_TEST_SUITE(fit_file_tests)
 

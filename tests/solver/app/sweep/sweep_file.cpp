@@ -12,7 +12,7 @@
 #include "solver/app/sweep/sweep_runs.hpp"
 #include "solver/base/error.hpp"
 #include "solver/base/units.hpp"
-#include "tests/solver/io/folder.hpp"
+#include "tests/temporary_folder.hpp"
 
 BOOST_AUTO_TEST_SUITE(sweep_file_tests)
 

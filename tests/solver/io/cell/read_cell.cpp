@@ -9,7 +9,7 @@
 
 #include "solver/base/error.hpp"
 #include "solver/granular/disc_method.hpp"
-#include "tests/solver/io/folder.hpp"
+#include "tests/temporary_folder.hpp"
 
 BOOST_AUTO_TEST_SUITE(read_cell_tests)
 

@@ -5,7 +5,7 @@
 
 #include "solver/base/error.hpp"
 #include "solver/io/file/toml_document.hpp"
-#include "tests/solver/io/folder.hpp"
+#include "tests/temporary_folder.hpp"
 
 BOOST_AUTO_TEST_SUITE(atomic_file_tests)
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "solver/base/error.hpp"
-#include "tests/solver/io/folder.hpp"
+#include "tests/temporary_folder.hpp"
 
 BOOST_AUTO_TEST_SUITE(quantity_table_tests)
 

@@ -14,8 +14,8 @@
 #include "solver/io/output/run_folder.hpp"
 #include "solver/io/output/write_geometry.hpp"
 #include "tests/solver/io/fence_run.hpp"
-#include "tests/solver/io/folder.hpp"
 #include "tests/solver/io/small_cell.hpp"
+#include "tests/temporary_folder.hpp"
 
 BOOST_AUTO_TEST_SUITE(read_geometry_tests)
 

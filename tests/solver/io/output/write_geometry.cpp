@@ -13,7 +13,7 @@
 #include "solver/base/error.hpp"
 #include "solver/io/fence1993/read_deck.hpp"
 #include "tests/solver/io/fence_run.hpp"
-#include "tests/solver/io/folder.hpp"
+#include "tests/temporary_folder.hpp"
 
 BOOST_AUTO_TEST_SUITE(write_geometry_tests)
 

@@ -28,7 +28,7 @@ struct Folder {
   }
   /// Writes a file.
   std::filesystem::path file(const std::string& name, const std::string& text) const {
-    std::ofstream{path / name} << text;
+    std::ofstream{path / name, std::ios::binary} << text;
     return path / name;
   }
 };
