@@ -103,8 +103,12 @@ void for_each_result(const SweepFolder& sweep, Visit&& visit) {
   for (const fs::path& file : result_files(sweep.folder)) {
     for_each_line(file, [&](const std::string& line) {
       SweepResult result = result_of_line(line, key);
-      if (const std::size_t count = result.values.size(); count != sweep.outputs.size() && count != 0)
-        throw InputError{fmt::format("found {} values; there are {} outputs", count, sweep.outputs.size())};
+      const bool has_values = result.end == SweepEnd::finished || result.end == SweepEnd::unusable;
+      const std::size_t expected = has_values ? sweep.outputs.size() : 0;
+      if (const std::size_t count = result.values.size(); count != expected) {
+        throw InputError{fmt::format("found {} values; with the end '{}' there are {}; remove this line", count,
+                                     name_of(result.end), expected)};
+      }
       visit(file, std::move(result));
     });
   }

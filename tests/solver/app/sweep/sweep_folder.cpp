@@ -2,6 +2,8 @@
 
 #include <boost/test/unit_test.hpp>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "solver/base/error.hpp"
 #include "tests/temporary_folder.hpp"
@@ -34,6 +36,26 @@ BOOST_AUTO_TEST_CASE(json_that_is_nested_too_deeply) {
   folder.file("sweep.json", "\n" + deep);
   BOOST_CHECK_EXCEPTION(static_cast<void>(read_sweep_folder(sweep.folder)), InputError,
                         refused("sweep.json: line 2: "));
+}
+
+// Readers of the values count on one for each output of a run that reached its end.
+BOOST_AUTO_TEST_CASE(a_run_has_a_value_for_each_output_or_none) {
+  const Folder folder;
+  SweepFolder sweep;
+  sweep.folder = folder.path;
+  sweep.outputs = {"ball.y.end", "ball.x.end"};
+  for (const auto& [end, count] : {std::pair{SweepEnd::finished, 0},
+                                   {SweepEnd::finished, 1},
+                                   {SweepEnd::unusable, 0},
+                                   {SweepEnd::diverged, 2},
+                                   {SweepEnd::limited, 1},
+                                   {SweepEnd::refused, 2}}) {
+    const SweepResult result{"12", end, "", 0.1, 7, "", std::vector<double>(static_cast<std::size_t>(count))};
+    folder.file("results/1.jsonl", result_line(result, sweep.key()) + "\n");
+    BOOST_CHECK_EXCEPTION(static_cast<void>(all_results(sweep)), InputError, [&](const InputError& error) {
+      return std::string{error.what()}.find("1.jsonl: line 1: found ") != std::string::npos;
+    });
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()
