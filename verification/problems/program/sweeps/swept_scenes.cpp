@@ -121,6 +121,12 @@ void check_grid(const Program& program, Worst& worst, Differences& differ) {
   for (const auto& entry : fs::directory_iterator{program.folder().path() / "grid" / "results"})
     bytes += static_cast<double>(fs::file_size(entry.path()));
   differ.holds("estimated bytes, within a tenth", std::abs(json.at("bytes").get<double>() / bytes - 1.0) < 0.1);
+  // Likewise of the evaluations: each run has the same steps, and as many events but for a few.
+  double evaluations = 0.0;
+  for (std::size_t i = 0; i < csv.rows(); ++i)
+    evaluations += csv.number(i, "evaluations");
+  differ.holds("estimated evaluations, within a tenth",
+               std::abs(json.at("evaluations").get<double>() / evaluations - 1.0) < 0.1);
 }
 
 /// Largest distance of the numbers of points in equal parts of [0, 1) from one.
