@@ -147,10 +147,9 @@ std::string range_text(const Interval& interval, const Unit& unit) {
 
 /// Whether an output is the margin of forces that have no limit.
 bool has_no_limit(const RockTrials& trials, std::size_t output) {
-  const std::optional<std::size_t> force = output == cable_margin    ? std::optional{cable_force}
-                                           : output == hanger_margin ? std::optional{hanger_force}
-                                                                     : std::nullopt;
-  return force && std::ranges::max(trials.values(output)) == 0.0 && std::ranges::max(trials.values(*force)) > 0.0;
+  if (output != cable_margin && output != hanger_margin) return false;
+  const std::size_t force = output == cable_margin ? cable_force : hanger_force;
+  return std::ranges::max(trials.values(output)) == 0.0 && std::ranges::max(trials.values(force)) > 0.0;
 }
 
 /// A percentile of an output; "" if there is none.
