@@ -28,7 +28,8 @@ BOOST_AUTO_TEST_CASE(a_verdict_that_is_not_known_is_refused) {
   const std::vector<std::string> command{"capacity", question, "--out", (folder.path / "out").string(), "--no-plots"};
   BOOST_TEST(talus_ran(command).code == 3);  // every run reaches its limit
   const fs::path results = fs::directory_iterator { folder.path / "out" / "results" } -> path();
-  const std::string ended = replaced(read_text(results), "\"end\":\"limited\"", "\"end\":\"finished\"");
+  const std::string ended = replaced(replaced(read_text(results), "\"end\":\"limited\"", "\"end\":\"finished\""),
+                                     "\"values\":[]", "\"values\":[0,0,0,0,0,0]");
   folder.file("out/results/" + results.filename().string(), replaced(ended, "\"undecided\"", "\"caught\""));
   const Ended again = talus_ran(command);
   BOOST_TEST(again.code == 2);
