@@ -215,7 +215,7 @@ class RunCounter {
 void demand_one_division(const fs::path& parts, const Shard& shard) {
   for (const fs::directory_entry& entry : fs::directory_iterator{parts}) {
     const std::string part = entry.path().filename().string();
-    if (part.ends_with(fmt::format("-of-{}", shard.count))) continue;
+    if (!entry.is_directory() || part.ends_with(fmt::format("-of-{}", shard.count))) continue;
     try {
       const FolderLock is_free{entry.path()};
     } catch (const IoError&) {

@@ -225,7 +225,6 @@ ResultFile::~ResultFile() { ::close(descriptor_); }
 
 void ResultFile::add(const SweepResult& result) {
   const std::string line = result_line(result, key_) + "\n";
-  const std::lock_guard lock{one_at_a_time_};
   std::string_view left = line;
   while (!left.empty()) {
     const ssize_t written = ::write(descriptor_, left.data(), left.size());

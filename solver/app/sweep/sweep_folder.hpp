@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <filesystem>
 #include <map>
-#include <mutex>
 #include <string>
 #include <utility>
 #include <vector>
@@ -69,7 +68,7 @@ class ResultFile {
   ResultFile& operator=(const ResultFile&) = delete;
   ~ResultFile();
 
-  /// Adds a result; threads may call it at the same time. Errors: IoError.
+  /// Adds a result; one thread at a time. Errors: IoError.
   void add(const SweepResult& result);
   /// Flushes all results to the disk. Errors: IoError.
   void flush();
@@ -79,7 +78,6 @@ class ResultFile {
   std::string key_;
   int descriptor_{-1};
   off_t size_{};
-  std::mutex one_at_a_time_;
 };
 
 }  // namespace talus::app
