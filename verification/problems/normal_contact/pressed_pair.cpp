@@ -14,7 +14,7 @@ struct Pair {
   reference::PressedPair exact() const { return {1.0, above, stiffness, lag, gravity}; }
 };
 
-constexpr reference::PairState start{{0.03125, -0.015625}, {0.0, 0.0}};
+constexpr reference::PressedPairState start{{0.03125, -0.015625}, {0.0, 0.0}};
 
 Scene pair_scene(const Pair& pair, const Setup& setup) {
   SceneBuilder builder;

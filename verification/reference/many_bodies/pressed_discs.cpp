@@ -32,9 +32,9 @@ std::array<double, 2> pair_at_rest(const PressedPair& pair) {
   return {unit * (2.0 * pair.mass_below + pair.mass_above), unit * (pair.mass_below + 2.0 * pair.mass_above)};
 }
 
-PairState pair_at(const PressedPair& pair, const PairState& start, double t) {
+PressedPairState pair_at(const PressedPair& pair, const PressedPairState& start, double t) {
   const std::array<double, 2> rest = pair_at_rest(pair);
-  PairState found{rest, {}};
+  PressedPairState found{rest, {}};
   for (const double w : pair_frequencies(pair)) {
     const double xi = 0.5 * pair.lag * w;
     if (!(xi < 1.0)) throw std::invalid_argument("pressed_discs: a mode that is not below critical damping");

@@ -31,7 +31,7 @@ struct PressedPair {
 };
 
 /// Heights relative to those of equal contact forces without gravity [L], and their rates.
-struct PairState {
+struct PressedPairState {
   std::array<double, 2> height{};
   std::array<double, 2> rate{};
 };
@@ -41,6 +41,6 @@ struct PairState {
 /// Heights at rest under gravity.
 [[nodiscard]] std::array<double, 2> pair_at_rest(const PressedPair& pair);
 /// State at time t from `start`; std::invalid_argument for a mode that is not below critical damping.
-[[nodiscard]] PairState pair_at(const PressedPair& pair, const PairState& start, double t);
+[[nodiscard]] PressedPairState pair_at(const PressedPair& pair, const PressedPairState& start, double t);
 
 }  // namespace talus::verification::reference

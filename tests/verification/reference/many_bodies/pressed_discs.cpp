@@ -38,7 +38,7 @@ BOOST_AUTO_TEST_CASE(column_shape_swings_at_its_frequency) {
 }
 
 BOOST_AUTO_TEST_CASE(pair_matches_a_tight_integration) {
-  const ref::PairState start{{0.3, -0.1}, {0.2, 0.7}};
+  const ref::PressedPairState start{{0.3, -0.1}, {0.2, 0.7}};
   for (const double lag : {0.0, 0.02}) {
     for (const double above : {1.0, 2.5}) {
       const ref::PressedPair pair{1.0, above, 40.0, lag, 9.81};
@@ -54,7 +54,7 @@ BOOST_AUTO_TEST_CASE(pair_matches_a_tight_integration) {
       ref::Trajectory truth(rates, {0.3L, -0.1L, 0.2L, 0.7L}, 0.0L, 0.01L);
       for (const double t : {0.0, 0.1, 0.4, 1.7}) {
         truth.advance_to(t);
-        const ref::PairState found = ref::pair_at(pair, start, t);
+        const ref::PressedPairState found = ref::pair_at(pair, start, t);
         for (std::size_t i = 0; i < 2; ++i) {
           BOOST_TEST(std::abs(found.height[i] - static_cast<double>(truth.coordinates()[i])) < 1e-14);
           BOOST_TEST(std::abs(found.rate[i] - static_cast<double>(truth.coordinates()[i + 2])) < 2e-14);
