@@ -49,6 +49,48 @@ void update_gaps(const Laws& laws, const State* state, Workspace& work) {
   for_each_array(laws, [&](const auto& array) { GapUpdate{array, state, work}.run(); });
 }
 
+/// Mode and stretch of an instance of friction, and the energy lost, after a step from `before`, if that is not null.
+[[gnu::noinline]] void update_slider(const Slider& slider, State& state, const Workspace& work, const State* before) {
+  if (state.mode[slider.slot.mode] == CoulombFriction::open && normal_force(work, slider) > 0.0)
+    start_spring(state, work, slider);
+  double& stretch = state.z[slider.slot.memory];
+  auto settled = slider.law.return_mapping(stretch, normal_force(work, slider), viscous_stretch(work, slider));
+  // A dashpot force against the spring let the spring exceed the limit: when released, the spring moves the slider.
+  if (slider.dashpot > 0.0 && state.mode[slider.slot.mode] == CoulombFriction::sticking &&
+      CoulombFriction::slips(settled.mode))
+    settled.dissipated = slider.law.stored_energy(stretch) - slider.law.stored_energy(settled.stretch);
+  // The step has integrated the work of the force as a power: the energy that the spring gave back was not lost.
+  if (before && CoulombFriction::slips(before->mode[slider.slot.mode])) {
+    settled.dissipated = stored_before(*before, slider) - slider.law.stored_energy(settled.stretch);
+  }
+  stretch = settled.stretch;
+  if (talus::memory_count(*slider.group.friction) > 1) state.z[slider.slot.memory + 1] = slider.law.stiffness;
+  state.mode[slider.slot.mode] = settled.mode;
+  state.work[static_cast<std::size_t>(Mechanism::friction)] += slider.group.multiplicity * settled.dissipated;
+}
+
+/// Adds the force of an instance of friction to its bodies, and its power to `out`, if that is not null.
+[[gnu::noinline]] void add_slider(const Slider& slider, const State& state, Workspace& work, Rates* out,
+                                  bool slip_power) {
+  const Gap& gap = work.gaps[slider.instance];
+  const double stretch = state.z[slider.slot.memory];
+  const double viscous = acting_viscous_stretch(state, work, slider);
+  const double force = slider.law(stretch, normal_force(work, slider), viscous);
+  add_pair(work, slider.group, gap, -force * tangent(gap));
+  const bool slips = slip_power && CoulombFriction::slips(state.mode[slider.slot.mode]);
+  if (out && (viscous != 0.0 || slips)) {
+    const double lost = slips ? force : force - slider.law.stiffness * stretch;
+    const double power = lost * slip_rate(work, slider);
+    out->work[static_cast<std::size_t>(Mechanism::friction)] += slider.group.multiplicity * power;
+  }
+  if (out && !slips && state.mode[slider.slot.mode] != CoulombFriction::open) {
+    const double area =
+        std::visit([&](const auto& law) { return law.area_power(stretch, kinematics(work, slider.instance)); },
+                   *slider.group.friction);
+    out->work[static_cast<std::size_t>(Mechanism::friction)] += slider.group.multiplicity * area;
+  }
+}
+
 }  // namespace
 
 ContactForces::ContactForces(const Model& model, const Layout& layout) : mobility_{model} {
@@ -166,7 +208,7 @@ void ContactForces::begin(State& state, const Workspace& work) const {
   });
 }
 
-void ContactForces::push(const State& state, Workspace& work) const {
+[[gnu::noinline]] void ContactForces::push(const State& state, Workspace& work) const {
   TALUS_ASSERT(work.evaluated != Evaluated::nothing);
   if (work.evaluated >= Evaluated::forces) return;
   for_each_near(laws_, work, [&](const auto& law, Slot slot, const ContactGroup&) {
@@ -176,7 +218,8 @@ void ContactForces::push(const State& state, Workspace& work) const {
   work.evaluated = Evaluated::forces;
 }
 
-// Inlines the visits of all laws: a call for each array would cost more than most arrays do.
+// Inlines the visits of all laws: a call for each array would cost more than most arrays do. A slider costs more than a
+// call, and it is the same for all laws: inlined for each array, sliders took half of the time that this file compiles.
 [[gnu::flatten]] void ContactForces::update_modes(State& state, Workspace& work, const State* before) const {
   if (starts_by_mass_) start_contacts(state, work);
   for_each_near(laws_, work, [&](const auto& law, Slot slot, const ContactGroup& group) {
@@ -186,24 +229,8 @@ void ContactForces::push(const State& state, Workspace& work) const {
   });
   if (!rough_) return;
   push(state, work);
-  for_each_slider(laws_, rough_, state, work, [&](const Slider& slider) {
-    if (state.mode[slider.slot.mode] == CoulombFriction::open && normal_force(work, slider) > 0.0)
-      start_spring(state, work, slider);
-    double& stretch = state.z[slider.slot.memory];
-    auto settled = slider.law.return_mapping(stretch, normal_force(work, slider), viscous_stretch(work, slider));
-    // A dashpot force against the spring let the spring exceed the limit: when released, the spring moves the slider.
-    if (slider.dashpot > 0.0 && state.mode[slider.slot.mode] == CoulombFriction::sticking &&
-        CoulombFriction::slips(settled.mode))
-      settled.dissipated = slider.law.stored_energy(stretch) - slider.law.stored_energy(settled.stretch);
-    // The step has integrated the work of the force as a power: the energy that the spring gave back was not lost.
-    if (before && CoulombFriction::slips(before->mode[slider.slot.mode])) {
-      settled.dissipated = stored_before(*before, slider) - slider.law.stored_energy(settled.stretch);
-    }
-    stretch = settled.stretch;
-    if (talus::memory_count(*slider.group.friction) > 1) state.z[slider.slot.memory + 1] = slider.law.stiffness;
-    state.mode[slider.slot.mode] = settled.mode;
-    state.work[static_cast<std::size_t>(Mechanism::friction)] += slider.group.multiplicity * settled.dissipated;
-  });
+  for_each_slider(laws_, rough_, state, work,
+                  [&](const Slider& slider) { update_slider(slider, state, work, before); });
 }
 
 void ContactForces::memory_rates(const State& state, Workspace& work, Rates& out) const {
@@ -261,25 +288,8 @@ void ContactForces::list_woken(const Workspace& work, std::vector<BodyId>& woken
           group.multiplicity * force.dissipative * work.rates[slot.mode];
   });
   work.evaluated = std::max(work.evaluated, Evaluated::forces);
-  for_each_slider(laws_, rough_, state, work, [&](const Slider& slider) {
-    const Gap& gap = work.gaps[slider.instance];
-    const double stretch = state.z[slider.slot.memory];
-    const double viscous = acting_viscous_stretch(state, work, slider);
-    const double force = slider.law(stretch, normal_force(work, slider), viscous);
-    add_pair(work, slider.group, gap, -force * tangent(gap));
-    const bool slips = slip_power && CoulombFriction::slips(state.mode[slider.slot.mode]);
-    if (out && (viscous != 0.0 || slips)) {
-      const double lost = slips ? force : force - slider.law.stiffness * stretch;
-      const double power = lost * slip_rate(work, slider);
-      out->work[static_cast<std::size_t>(Mechanism::friction)] += slider.group.multiplicity * power;
-    }
-    if (out && !slips && state.mode[slider.slot.mode] != CoulombFriction::open) {
-      const double area =
-          std::visit([&](const auto& law) { return law.area_power(stretch, kinematics(work, slider.instance)); },
-                     *slider.group.friction);
-      out->work[static_cast<std::size_t>(Mechanism::friction)] += slider.group.multiplicity * area;
-    }
-  });
+  for_each_slider(laws_, rough_, state, work,
+                  [&](const Slider& slider) { add_slider(slider, state, work, out, slip_power); });
 }
 
 /// Initialises the memory of laws that depend on the effective mass, for instances that begin to touch: m = p/u, with p
@@ -287,7 +297,7 @@ void ContactForces::list_woken(const Workspace& work, std::vector<BodyId>& woken
 /// between two columns) also stop each other: A p = u, with A the mobilities between them. A side that lands nearly
 /// flat touches with one end first: when the other end follows, the first starts again with it if it still closes at
 /// half the speed of the second, so that the smallest tilt does not change the restitution.
-void ContactForces::start_contacts(State& state, const Workspace& work) const {
+[[gnu::noinline]] void ContactForces::start_contacts(State& state, const Workspace& work) const {
   if (!work.any_near) return;
   StartingImpacts impacts;
   std::size_t started = 0;
