@@ -13,7 +13,7 @@
 namespace talus {
 namespace {
 
-std::vector<std::string> names_of(const std::vector<AllowedColumn>& columns) {
+std::vector<std::string> column_names(const std::vector<AllowedColumn>& columns) {
   std::vector<std::string> names;
   for (const AllowedColumn& column : columns)
     names.push_back(column.name);
@@ -23,7 +23,7 @@ std::vector<std::string> names_of(const std::vector<AllowedColumn>& columns) {
 /// The allowed column that a head names. Errors: InputError without the file.
 const AllowedColumn& column_of(const std::string& name, const std::vector<AllowedColumn>& allowed) {
   const auto found = std::ranges::find(allowed, name, &AllowedColumn::name);
-  if (found == allowed.end()) throw unknown_name("column", name, names_of(allowed));
+  if (found == allowed.end()) throw unknown_name("column", name, column_names(allowed));
   return *found;
 }
 

@@ -9,7 +9,7 @@ namespace talus {
 namespace {
 
 /// `<a|b>` becomes a in a file in SI units and b in one in US units.
-constexpr std::string_view fence =
+constexpr std::string_view fence_template =
     R"(# A rockfall fence: columns of tyres hang side by side from a top cable, a bottom cable ties them together, and a
 # rock hits the central column. x is horizontal across the fence (the rock comes from the right), y is up, z along it.
 #   talus check FILE                       lists bodies, contacts and the expected cost
@@ -75,7 +75,7 @@ bottom_end = "anchored" # the bottom cable ends at anchors below those of the to
 # tolerance = 1e-10 # of that integrator (default)
 )";
 
-constexpr std::string_view scene =
+constexpr std::string_view scene_template =
     R"(# A disc falls onto an incline, bounces and rolls down. x is horizontal, y is up, angles are counter-clockwise.
 #   talus check FILE                lists bodies, contacts and the expected cost
 #   talus run FILE --out DIR        runs it: summary here; histories and geometry in DIR
@@ -131,7 +131,7 @@ interval = "10 ms" # time between rows of the history (default: a thousandth of 
 # ledger = "off" # on: keep the energy balance (default)
 )";
 
-constexpr std::string_view cell =
+constexpr std::string_view cell_template =
     R"(# A cell of discs between a fixed base and a driven block, sheared as in the program SNOFLO (Lacy 1989).
 #   talus check FILE                lists discs, contact time and the expected cost
 #   talus cell FILE --out DIR       runs it: stresses, depth and energies here; histories and profiles in DIR
@@ -165,7 +165,7 @@ end = "40 ms" # time that the run lasts
 )";
 
 constexpr std::pair<std::string_view, std::string_view> templates[] = {
-    {"fence", fence}, {"scene", scene}, {"cell", cell}};
+    {"fence", fence_template}, {"scene", scene_template}, {"cell", cell_template}};
 
 /// Replaces each `<first|second>` by its first or its second part.
 std::string chosen(std::string_view text, bool first) {

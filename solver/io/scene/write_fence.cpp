@@ -14,7 +14,7 @@ using scenes::FenceElement;
 
 /// A quantity in quotes, in the units of the deck if they preserve its bits, otherwise in consistent units; a pure
 /// number is not quoted.
-std::string quantity(double value, Dimension dimension, const UnitSystem& units) {
+std::string quoted(double value, Dimension dimension, const UnitSystem& units) {
   if (dimension == dimension::number) {
     const std::string text = decimal(value, "", dimension, units).text;
     // A whole number would lose the sign of -0.
@@ -44,7 +44,7 @@ std::string number_lines(const T& value, const UnitSystem& units) {
     std::visit([&](auto member) { text += fmt::format("{} = {}\n", field.name, value.*member); }, field.member);
   }
   for (const auto& field : T::fields())
-    text += fmt::format("{} = {}\n", field.name, quantity(value.*field.member, field.dimension, units));
+    text += fmt::format("{} = {}\n", field.name, quoted(value.*field.member, field.dimension, units));
   return text;
 }
 
@@ -67,12 +67,12 @@ std::string element_lines(std::string_view head, const FenceElement& element, co
   }
   if (!by_power) text += fmt::format("shape = \"{}\"\n", name_of(element.outline));
   if (element.outline == scenes::ElementOutline::superquadric)
-    text += fmt::format("exponent = {}\n", quantity(element.exponent, dimension::number, units));
-  if (element.along != 0.0) text += fmt::format("along = {}\n", quantity(element.along, dimension::length, units));
+    text += fmt::format("exponent = {}\n", quoted(element.exponent, dimension::number, units));
+  if (element.along != 0.0) text += fmt::format("along = {}\n", quoted(element.along, dimension::length, units));
   for (const auto& field : FenceElement::vectors()) {
     const Vec2 vector = element.*field.member;
-    text += fmt::format("{} = [{}, {}]\n", field.name, quantity(vector.x, field.dimension, units),
-                        quantity(vector.y, field.dimension, units));
+    text += fmt::format("{} = [{}, {}]\n", field.name, quoted(vector.x, field.dimension, units),
+                        quoted(vector.y, field.dimension, units));
   }
   std::vector<std::string> held;
   for (std::size_t i = 0; i < element.held.size(); ++i) {
@@ -96,8 +96,8 @@ std::string option_lines(const scenes::FenceOptions& options, const UnitSystem& 
   if (options.table.empty()) return text;
   std::vector<std::string> points;
   for (const scenes::YieldMultiple& point : options.table)
-    points.push_back(fmt::format("[{}, {}]", quantity(point.strain, dimension::number, units),
-                                 quantity(point.multiple, dimension::number, units)));
+    points.push_back(fmt::format("[{}, {}]", quoted(point.strain, dimension::number, units),
+                                 quoted(point.multiple, dimension::number, units)));
   return text + fmt::format("table = [{}]\n", fmt::join(points, ", "));
 }
 
@@ -114,8 +114,8 @@ std::string write_fence(const Fence& fence) {
   if (!fence.ground_profile.empty()) {
     std::vector<std::string> points;
     for (const Vec2 p : fence.ground_profile)
-      points.push_back(fmt::format("[{}, {}]", quantity(p.x, dimension::length, fence.units),
-                                   quantity(p.y, dimension::length, fence.units)));
+      points.push_back(fmt::format("[{}, {}]", quoted(p.x, dimension::length, fence.units),
+                                   quoted(p.y, dimension::length, fence.units)));
     text += fmt::format("ground_profile = [{}]\n", fmt::join(points, ", "));
   }
   text += element_lines("[fence.ground]", fence.ground, fence.units);
