@@ -65,7 +65,7 @@ void check_pairs(const Program& program, Findings& findings, const Setup& setup)
   ImpactDraw draw;
   double damping = 0.0, time = 0.0, undamped = 0.0, overlap = 0.0, reverse = 0.0, pasted = 0.0, fraction = 0.0;
   WrittenScenes written;
-  const std::size_t count = setup.tier == Tier::full ? 200 : setup.coarse ? 8 : 20;
+  const std::size_t count = setup.tier == Tier::full ? 100 : setup.coarse ? 8 : 20;
   for (std::size_t number = 0; number < count; ++number) {
     const ImpactRequest request = with_lever(draw.request(number), number);
     const ExactImpact exact = exact_of(request);
@@ -209,7 +209,7 @@ Case definition() {
                      {"rigid_plane", "half of Young's modulus, as of a sphere that hits a rigid body", wave},
                      {"mean_dashpot", "mean of the exact dashpots in place of the minimax one", minimax}},
           .seconds = 20.0,
-          .full_seconds = 80.0,
+          .full_seconds = 45.0,
           .run = run};
 }
 
