@@ -303,7 +303,7 @@ void add_soft_reference(Approach& a, const PivotedRun& run, const reference::Piv
   a.carried = std::max(a.carried, late * problem.mass * problem.gravity * std::pow(0.5 * problem.length, 2) /
                                       reference::inertia_about_pin(problem) * soft.at_end.angle);
   a.apart =
-      std::max({a.apart, std::abs(a.last.column - soft.column_speed), std::abs(a.last.rock - soft.at_end.rock_vx)});
+      worst_of({a.apart, std::abs(a.last.column - soft.column_speed), std::abs(a.last.rock - soft.at_end.rock_vx)});
 }
 
 Approach approach(const reference::PivotedImpact& rigid, double angle, Findings& findings, const Setup& setup) {

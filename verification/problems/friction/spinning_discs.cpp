@@ -149,7 +149,7 @@ void check_rolling(Findings& findings, const Setup& setup) {
   const Scene scene = met_discs(first_mass, first_radius, 2.0, -2.0, setup);
   const double time = std::numbers::pi * std::sqrt(0.5);
   const State end = end_of(scene, time, offset_step(time, 100.0, 5), 5, findings);
-  const double changed = std::max({std::abs(end.v[1]), std::abs(end.v[4]), std::abs(end.v[2] - scene.initial.v[2]),
+  const double changed = worst_of({std::abs(end.v[1]), std::abs(end.v[4]), std::abs(end.v[2] - scene.initial.v[2]),
                                    std::abs(end.v[5] - scene.initial.v[5])});
   findings.expect_round_off({"opposite_spins", "change of lateral speeds and spins of equal discs with opposite spins"},
                             changed, 0.0, 8.0 * 2.2e-16,

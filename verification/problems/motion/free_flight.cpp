@@ -35,9 +35,9 @@ struct FlightErrors {
   double largest{};  ///< largest coordinate or rate, including the angle
 
   double worst_position() const {
-    return std::max({std::abs(position[0]), std::abs(position[1]), std::abs(position[2])});
+    return worst_of({std::abs(position[0]), std::abs(position[1]), std::abs(position[2])});
   }
-  double worst_speed() const { return std::max({std::abs(speed[0]), std::abs(speed[1]), std::abs(speed[2])}); }
+  double worst_speed() const { return worst_of({std::abs(speed[0]), std::abs(speed[1]), std::abs(speed[2])}); }
 };
 
 FlightErrors fly(const Integrator& method, double step, long count, const Setup& setup, Findings& findings) {
@@ -49,7 +49,7 @@ FlightErrors fly(const Integrator& method, double step, long count, const Setup&
     const double position = position_at(flights[i], t), speed = speed_at(flights[i], t);
     errors.position[i] = run.state.q[i] - position;
     errors.speed[i] = run.state.v[i] - speed;
-    errors.largest = std::max({errors.largest, std::abs(position), std::abs(speed), std::abs(flights[i].speed)});
+    errors.largest = worst_of({errors.largest, std::abs(position), std::abs(speed), std::abs(flights[i].speed)});
   }
   return errors;
 }

@@ -98,7 +98,7 @@ WorkPoint run_motion(const ExactMotion& motion, Integrator integrator, long step
   const double interval = motion.duration / compared_times;
   const RunPlan plan{interval / static_cast<double>(steps), motion.duration, interval, false};
   const RunEnd end = run_scene(motion.scene, std::move(integrator), plan, findings, compare);
-  WorkPoint point{std::max(position / largest_position, velocity / largest_velocity),
+  WorkPoint point{worst_of({position / largest_position, velocity / largest_velocity}),
                   static_cast<double>(end.evaluations)};
   if (!end.finished) point.error = std::nan("");
   if (const auto* located = std::get_if<StormerCowell>(&end.method)) point.events = located->events();

@@ -209,7 +209,8 @@ void check_rows(Findings& findings, const Setup& setup, Table& table) {
   findings.count(2 * count);
   findings.expect_exact(
       {"without_ledger", "without ledger: state at the end against the run with ledger, largest difference"},
-      std::max(position, velocity), 0.0, "the force on a body is the same sum, whether the paths are computed or not");
+      worst_of({position, velocity}), 0.0,
+      "the force on a body is the same sum, whether the paths are computed or not");
   findings.expect_exact(
       {"row_tensions",
        "tensions of rows of cables against those of the individual laws, largest difference over a run"},

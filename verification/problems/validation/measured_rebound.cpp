@@ -451,7 +451,7 @@ void check_evaluation(Findings& findings, const Setup& setup, const Measured& me
   findings.in("evaluation")
       ->expect("normal restitution found in data made with 0.93", agreed.normal_restitution, 0.93, rounding);
   findings.in("evaluation")
-      ->expect("scatter found in data without scatter", std::max(agreed.scatter, agreed.deviation), 0.0, rounding);
+      ->expect("scatter found in data without scatter", worst_of({agreed.scatter, agreed.deviation}), 0.0, rounding);
   const ContactModel fit = fitted(models()[2], made.restitution);
   const Tolerance search = Tolerance::truncation(
       2e-3, 1.0, "the search ends with changes of 1e-3 of the ratio and half as much of the friction");

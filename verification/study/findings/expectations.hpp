@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,6 +15,14 @@ namespace talus::verification::problems {
 /// Stores the error in `worst`, with its sign, if it is larger in magnitude. A NaN persists.
 inline void keep_worst(double& worst, double error) {
   if (!std::isnan(worst) && !(std::abs(error) <= std::abs(worst))) worst = error;
+}
+
+/// The error that is larger in magnitude than the others, with its sign. A NaN persists (std::max would drop it).
+[[nodiscard]] inline double worst_of(std::initializer_list<double> errors) {
+  double worst = 0.0;
+  for (const double error : errors)
+    keep_worst(worst, error);
+  return worst;
 }
 
 /// Stores the magnitude of the error in `largest` if it is larger. A NaN persists (std::max would drop it).

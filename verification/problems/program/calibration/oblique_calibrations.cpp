@@ -331,9 +331,9 @@ void expect_all(Findings& findings, const Worst& worst) {
                                    "the contact is observed at 400 times; near its end, where the force stays near "
                                    "the limit, stick and slip differ by less than the local errors"));
   findings.expect("contact time, largest overlap, dashpot over the exact ones, largest deviation from 1",
-                  std::max({worst.time, worst.overlap, worst.damping, worst.undamped}), 0.0, closed);
+                  worst_of({worst.time, worst.overlap, worst.damping, worst.undamped}), 0.0, closed);
   findings.expect("effective mass and mobility over the exact ones, largest deviation from 1",
-                  std::max(worst.mass, worst.mobility), 0.0, Tolerance::round_off(3e-15, "some ten operations"));
+                  worst_of({worst.mass, worst.mobility}), 0.0, Tolerance::round_off(3e-15, "some ten operations"));
   findings.expect("tangential over normal stiffness, over the exact ratio, largest deviation from 1", worst.ratio, 0.0,
                   Tolerance::model(1e-9, "a difference quotient with 1e-6 of the overlap"));
   findings.expect("tangential restitution of runs with the printed lines, less the wanted one, largest",

@@ -124,7 +124,7 @@ void check_boundary(const Program& program, Findings& findings, Differences& dif
     double ends = 0.0;
     for (const char* const end : {"stopped", "undecided", "passed_under", "passed_over", "broke_through", "failed"})
       ends += number(end);
-    sums += ends - number("runs");
+    sums += std::abs(ends - number("runs"));
     counted += number("stopped");
     keep_worst(intervals,
                number("kinetic_energy [J]") / (0.5 * number("mass [kg]") * std::pow(number("speed [m/s]"), 2)) - 1.0);
@@ -140,9 +140,8 @@ void check_boundary(const Program& program, Findings& findings, Differences& dif
   differ.compare("runs of the nodes and the audit", runs.rows(), map.at("runs").get<std::size_t>() + 20);
   differ.holds("stopped runs",
                counted <= static_cast<double>(stopped) && counted == map.at("ends").at("stopped").get<double>());
-  findings.expect("maps: ends, energies and probabilities of nodes, largest deviation",
-                  std::max(std::abs(sums), intervals), 0.0,
-                  Tolerance::round_off(1e-12, "sums of whole numbers, and three products"));
+  findings.expect("maps: ends, energies and probabilities of nodes, largest deviation", worst_of({sums, intervals}),
+                  0.0, Tolerance::round_off(1e-12, "sums of whole numbers, and three products"));
 }
 
 /// The nodes of the map of one column with the closed form.
