@@ -256,7 +256,29 @@ void check_bound(Mobility mobility, Findings& findings, const Setup& setup) {
   }
 }
 
+/// A slender body whose pin is outside of its outline: the largest lever is that of the upper corner on the side of the
+/// pin, along the normal across the line to the pin, which lies between those of the corner's sides.
+void check_outer_pin(Findings& findings) {
+  constexpr double disc_mass = 0.6, half_side = 0.1, half_length = 0.5;
+  constexpr Vec2 pin{0.6, -half_length};
+  SceneBuilder builder;
+  const BodyId hit = builder.add({.name = "body",
+                                  .mobility = Mobility::pinned,
+                                  .mass = mass,
+                                  .inertia = inertia,
+                                  .shape = Rectangle{half_side, half_length},
+                                  .p_BPin = pin});
+  const BodyId disc = builder.add_particle("disc", disc_mass, {3.0, 3.0}, Circle{0.1});
+  builder.add_contact("touch", hit, disc, LinearSpringDashpot{stiffness, damping});
+  const double lever = std::hypot(pin.x - half_side, 2.0 * half_length);
+  const double exact = 1.0 / (1.0 / disc_mass + lever * lever / (inertia + mass * (pin.x * pin.x + pin.y * pin.y)));
+  findings.expect({"bounds", "smallest effective mass of a contact, pinned outside of the outline"},
+                  contact_ranges(Dynamics{builder.build()}).front().smallest_mass, exact,
+                  Tolerance::round_off(1e-14, "some ten operations"), "kg");
+}
+
 void run(Findings& findings, const Setup& setup) {
+  check_outer_pin(findings);
   for (const double gap : {0.0, 10.0})
     check_friction(false, gap, findings);
   check_friction(true, 10.0, findings);

@@ -340,6 +340,18 @@ void check_fields(const TemporaryFolder& folder, Findings& findings, const Setup
   }
 }
 
+/// Broken parts are not carried over to the next rock.
+void check_after_break(const TemporaryFolder& folder, Findings& findings) {
+  folder.write("weak.toml", records::read_whole(TALUS_CASES "/fence/table_2.toml") +
+                                "\n[fence.options]\nhanger_strength = \"10000 lbf\"\n");
+  (void)talus_output(folder, {"run", "weak.toml", "--end", "10 ms", "--out", "broken"});
+  const ProgramEnd end = run_talus(folder, {"convert", "weak.toml", "next.toml", "--after", "broken"});
+  const std::string reason = "final_state.json: hanger 'hanger1': found it broken; broken parts cannot be carried over";
+  findings.expect_true("a fence with a broken hanger is refused for the second rock",
+                       end.exit_code == 2 && end.messages.find(reason) != std::string::npos,
+                       "exit status 2, the file and the hanger");
+}
+
 /// The fence after one rock, and after two, that plastically elongated its cables.
 void check_after(const TemporaryFolder& folder, Findings& findings, const Setup& setup) {
   std::string deck = records::read_whole(TALUS_CASES "/fence/sample2.DAT");
@@ -501,7 +513,7 @@ void run(Findings& findings, const Setup& setup) {
   if (setup.needs("of the scene")) check_deck(folder, findings, setup);
   if (setup.needs("values")) check_fields(folder, findings, setup);
   if (setup.needs("follow from")) check_derived(folder, findings);
-  if (setup.needs("rock")) check_after(folder, findings, setup);
+  if (setup.needs("rock")) check_after(folder, findings, setup), check_after_break(folder, findings);
   if (setup.needs("discs")) check_lammps(folder, findings, setup);
   if (setup.needs("spheres")) check_spheres(folder, findings, setup);
 }

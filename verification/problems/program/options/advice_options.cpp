@@ -51,7 +51,20 @@ reference::OscillatorState hung_state(double t) {
   return reference::state_at({std::sqrt(hung_stiffness / hung_mass), 0.0, hung_y - hung_rest, 0.0}, t);
 }
 
+/// The largest height of a ball that falls from 1e-14 m is nothing beside the 5 m that it falls.
+void check_vanishing(const Program& program, Differences& differ) {
+  program.write("falls.toml",
+                "units = \"SI\"\ngravity = [\"0 m/s^2\", \"-10 m/s^2\"]\n[[body]]\nname = \"ball\"\n"
+                "mobility = \"particle\"\nmass = \"1 kg\"\nposition = [\"0 m\", \"1e-14 m\"]\n"
+                "[run]\nintegrator = \"velocity_verlet\"\nstep = \"1 ms\"\nend = \"1 s\"\n");
+  const ProgramEnd end = program.end({"advise", "falls.toml"}, {{"--accuracy", {"1e-3"}}, {"--of", {"ball.y.max"}}});
+  differ.holds(
+      "advise: refusal of a quantity that vanishes",
+      end.exit_code == 5 && end.output.find("no advice (vanishing): ball.y.max is 1e-14") != std::string::npos);
+}
+
 void check_advice(const Program& program, Findings& findings, Differences& differ) {
+  check_vanishing(program, differ);
   constexpr double accuracy = 1e-4, end = 1.0;
   const Names among{"rk4", "blanes_moan4"};
   const Options options{{"--accuracy", {"1e-4"}},

@@ -255,8 +255,8 @@ void check_cell(const Program& program, Findings& findings, Differences& differ)
 
 // --- export, new, check, list -------------------------------------------------------------------------------
 
-/// `check` names the worse of two bodies beyond the bound of their moment of inertia, and of two overlaps at the start,
-/// in any order of the scene. The larger overlap is the smaller one relative to its body.
+/// `check` names the worse of two bodies beyond the bound of their moment of inertia, of two overlaps at the start, and
+/// of two contacts that become lighter, in any order of the scene. The larger overlap is the smaller one relative to its body.
 void check_worst_named(const Program& program, Differences& differ) {
   const auto body = [](const std::string& name, const std::string& mobility, double radius, double x) {
     return fmt::format(
@@ -287,6 +287,30 @@ void check_worst_named(const Program& program, Differences& differ) {
                   "units = \"SI\"\n" + each.bodies + "[run]\nintegrator = \"rk4\"\nstep = \"1 ms\"\nend = \"1 ms\"\n");
     differ.contains("the worse of two named first: " + each.warning,
                     run_talus(program.folder(), {"check", "worst.toml"}).messages, "warning: " + each.warning);
+  }
+  // Bars that touch stops above their centres, m = 2 kg, and can touch them with an end, 1/m = 1/2 + 0.5^2/0.2 kg^-1.
+  // The damped contact lasts longer than the other, and limits the step more.
+  const auto bar = [](const std::string& name, double x, const char* law) {
+    return fmt::format(
+        "[[body]]\nname = \"{0}\"\nmobility = \"free\"\nmass = \"2 kg\"\ninertia = \"0.2 kg m^2\"\n"
+        "position = [\"{1} m\", \"0 m\"]\n"
+        "shape = {{ kind = \"rectangle\", half_width = \"0.5 m\", half_height = \"0.1 m\" }}\n"
+        "[[body]]\nname = \"{0}_stop\"\nmobility = \"fixed\"\nposition = [\"{1} m\", \"1 m\"]\n"
+        "shape = {{ kind = \"circle\", radius = \"0.1 m\" }}\n"
+        "[[contact]]\nname = \"{0}\"\nbetween = [\"{0}\", \"{0}_stop\"]\nlaw = \"linear_spring_dashpot\"\n{2}",
+        name, x, law);
+  };
+  const std::string undamped = bar("undamped", 0.0, "stiffness = \"3 kN/m\"\ndamping = \"0 N s/m\"\n"),
+                    damped = bar("damped", 5.0,
+                                 "stiffness = \"3.4 kN/m\"\ndamping = \"40 N s/m\"\nend_rule = \"attractive\"\n");
+  for (const std::string& bodies : {undamped + damped, damped + undamped}) {
+    program.write("lighter.toml", "units = \"SI\"\n" + bodies +
+                                      "[run]\nintegrator = \"velocity_verlet\"\nstep = \"25 ms\"\n"
+                                      "end = \"25 ms\"\n");
+    differ.contains("the lighter contact that limits the step most",
+                    run_talus(program.folder(), {"check", "lighter.toml"}).messages,
+                    fmt::format("warning: contact 'damped' can act with an effective mass of {:.4g} kg",
+                                1.0 / (1.0 / 2.0 + 0.5 * 0.5 / 0.2)));
   }
   // Two crossed bars, by nodes: no node of either is in the other. The shortest way apart is half of both lengths.
   std::string bars;

@@ -373,6 +373,7 @@ struct Codes {
 struct Watched {
   std::string bodies, step, end, choice;
   Codes usual, chosen;
+  std::string fields{};  ///< of the run, with both
 };
 
 std::vector<Watched> watched_runs() {
@@ -398,6 +399,13 @@ std::vector<Watched> watched_runs() {
            "instability = \"warning\", quality = \"warning\"",
            {3, 7},
            {0, 0}},
+          {ground + disc("disc", R"("0 m", "0.49 m")", R"("0 m/s", "0.001 m/s")") + contact("ground"),
+           "0.064 s",
+           "0.32 s",
+           "instability = \"warning\"",
+           {3, 7},
+           {7, 7},
+           "ledger = \"off\"\n"},
           {disc("disc", R"("-2 m", "5 m")", R"("300 m/s", "0 m/s")") +
                disc("other", R"("2 m", "5 m")", R"("0 m/s", "0 m/s")") + contact("other"),
            "0.02 s",
@@ -424,8 +432,8 @@ void check_watch(const TemporaryFolder& folder, Findings& findings, const Setup&
           chosen && !setup.has("rules_left_out") ? fmt::format("watch = {{ {} }}\n", run.choice) : "";
       folder.write(
           "watched.toml",
-          fmt::format("units = \"SI\"\n{}[run]\nintegrator = \"velocity_verlet\"\nstep = \"{}\"\nend = \"{}\"\n{}",
-                      run.bodies, run.step, run.end, watch));
+          fmt::format("units = \"SI\"\n{}[run]\nintegrator = \"velocity_verlet\"\nstep = \"{}\"\nend = \"{}\"\n{}{}",
+                      run.bodies, run.step, run.end, run.fields, watch));
       const auto [of_run, of_check] = chosen ? run.chosen : run.usual;
       for (const auto& [command, expected] : {std::pair{"run", of_run}, std::pair{"check", of_check}}) {
         const int code = run_talus(folder, {command, "watched.toml"}).exit_code;
