@@ -7,6 +7,7 @@
 #include <numbers>
 #include <set>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "verification/check/case.hpp"
@@ -392,6 +393,18 @@ std::vector<Watched> watched_runs() {
         "stiffness = \"1000 N/m\"\ndamping = \"0 N s/m\"\n",
         with);
   };
+  const auto pair = [](const char* name, double radius, double x, double apart, double speed, double stiffness) {
+    std::string text;
+    for (const auto& [number, at, v] : {std::tuple{1, x, speed}, {2, x + apart, 0.0}})
+      text += fmt::format(
+          "[[body]]\nname = \"{0}{1}\"\nmobility = \"particle\"\nmass = \"1 kg\"\nposition = [\"{2} m\", \"0 m\"]\n"
+          "velocity = [\"{3} m/s\", \"0 m/s\"]\nshape = {{ kind = \"circle\", radius = \"{4} m\" }}\n",
+          name, number, at, v, radius);
+    return text + fmt::format(
+                      "[[contact]]\nname = \"{0}\"\nbetween = [\"{0}1\", \"{0}2\"]\n"
+                      "law = \"linear_spring_dashpot\"\nstiffness = \"{1} N/m\"\ndamping = \"0 N s/m\"\n",
+                      name, stiffness);
+  };
   const std::string impact = ground + disc("disc", R"("0 m", "0.51 m")", R"("0 m/s", "-0.4 m/s")") + contact("ground");
   return {{ground + disc("disc", R"("0 m", "0.49 m")", R"("0 m/s", "0.001 m/s")") + contact("ground"),
            "0.064 s",
@@ -410,6 +423,14 @@ std::vector<Watched> watched_runs() {
                disc("other", R"("2 m", "5 m")", R"("0 m/s", "0 m/s")") + contact("other"),
            "0.02 s",
            "0.04 s",
+           "tunnelling = \"warning\"",
+           {3, 0},
+           {0, 0}},
+          // The overlap of the small discs exceeds half of their radius; that of the large ones is larger, and small
+          // beside theirs.
+          {pair("large", 2.0, 0.0, 3.7, 0.0, 0.01) + pair("small", 0.1, 10.0, 0.21, 1.0, 20.0),
+           "0.005 s",
+           "0.4 s",
            "tunnelling = \"warning\"",
            {3, 0},
            {0, 0}},
