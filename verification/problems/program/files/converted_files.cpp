@@ -479,23 +479,31 @@ void check_lammps(const TemporaryFolder& folder, Findings& findings, const Setup
   findings.expect("discs.data: velocities along x, largest error", along, 0.0, round_off);
 }
 
-/// A cell of spheres as read by LAMMPS: Hertz's law and Mindlin's friction by the effective radius of the pair, a
-/// quarter of the diameter, which is also that of the law.
+/// Two cells of spheres as read by LAMMPS: Hertz's law and Mindlin's friction by the effective radius of the pair, a
+/// quarter of the diameter. Forces are proportional to the root of the radius, which in the second cell is a millimetre:
+/// four times that of LAMMPS.
 void check_spheres(const TemporaryFolder& folder, Findings& findings, const Setup& setup) {
   constexpr double modulus = 700e6, shear_modulus = 144e6, friction = 0.5;
   std::string text = records::read_whole(TALUS_CASES "/cell/spheres.toml");
   const std::string modulus_of_file = "144 MPa";
   if (setup.has("other_shear_modulus"))
     text.replace(text.find(modulus_of_file), modulus_of_file.size(), "144.0001 MPa");
-  folder.write("spheres.toml", text);
-  (void)talus_output(folder, {"export", "lammps", "spheres.toml", "--out", "spheres"});
-  const std::string input = folder.read("spheres/in.discs");
-  const std::vector<double> normal = numbers_after(input, "pair_coeff * * hertz");
-  const std::vector<double> found = numbers_after(input, "tangential mindlin_rescale/force");
-  double worst = found.size() == 3 && normal.size() >= 2 ? 0.0 : NAN;
-  if (worst == 0.0) {
-    keep_worst(worst, normal[0] / (4.0 / 3.0 * modulus) - 1.0);
-    keep_worst(worst, found[0] / (8.0 * shear_modulus) - 1.0), keep_worst(worst, found[1]);
+  std::string blunt = text, input;
+  const std::string quarter = "\"0.25 mm\"";
+  blunt.replace(blunt.find(quarter), quarter.size(), "\"1 mm\"");
+  double worst = 0.0;
+  for (const auto& [scene, root] : {std::pair{blunt, 2.0}, std::pair{text, 1.0}}) {
+    folder.write("spheres.toml", scene);
+    (void)talus_output(folder, {"export", "lammps", "spheres.toml", "--out", "spheres"});
+    input = folder.read("spheres/in.discs");
+    const std::vector<double> normal = numbers_after(input, "pair_coeff * * hertz");
+    const std::vector<double> found = numbers_after(input, "tangential mindlin_rescale/force");
+    if (found.size() != 3 || normal.size() < 2) {
+      worst = NAN;
+      continue;
+    }
+    keep_worst(worst, normal[0] / (4.0 / 3.0 * modulus * root) - 1.0);
+    keep_worst(worst, found[0] / (8.0 * shear_modulus * root) - 1.0), keep_worst(worst, found[1]);
     keep_worst(worst, found[2] - friction);
   }
   findings.expect("in.discs of spheres: moduli and friction, largest relative error", worst, 0.0,
