@@ -10,6 +10,12 @@ BodyId add_mass(ModelBuilder& builder, const char* name, double mass, double x) 
   return builder.add(Body{.name = name, .mobility = Mobility::sliding_x, .mass = mass, .p_WB = {x, 0.0}});
 }
 
+/// A cable that can yield, or one with a dashpot of `relaxation` times the stiffness.
+CableLaw cable_law(double stiffness, double relaxation) {
+  if (relaxation > 0.0) return TensionOnly{stiffness, relaxation * stiffness};
+  return ElasticPlastic{.stiffness = stiffness};
+}
+
 }  // namespace
 
 Scene thrown_mass(const CableLaw& law, double mass, double speed, double gravity) {
@@ -24,7 +30,7 @@ Scene thrown_mass(const CableLaw& law, double mass, double speed, double gravity
   return scene;
 }
 
-Scene hung_pair(const reference::HungPair& pair, double strength) {
+Scene hung_pair(const reference::HungPair& pair, double strength, double relaxation) {
   ModelBuilder builder;
   const BodyId b = add_mass(builder, "b", pair.mass_b, cable_length);
   const BodyId c = add_mass(builder, "c", pair.mass_c, 2.0 * cable_length);
@@ -32,12 +38,12 @@ Scene hung_pair(const reference::HungPair& pair, double strength) {
                     .a = {},
                     .b = {b, {}},
                     .rest_length = cable_length,
-                    .law = ElasticPlastic{.stiffness = pair.stiffness_1}});
+                    .law = cable_law(pair.stiffness_1, relaxation)});
   builder.add(Cable{.name = "two",
                     .a = {b, {}},
                     .b = {c, {}},
                     .rest_length = cable_length,
-                    .law = ElasticPlastic{.stiffness = pair.stiffness_2}});
+                    .law = cable_law(pair.stiffness_2, relaxation)});
   builder.add(Hanger{"hanger", b, {}, strength});
   Scene scene;
   scene.model = builder.build();
@@ -46,7 +52,7 @@ Scene hung_pair(const reference::HungPair& pair, double strength) {
   return scene;
 }
 
-Scene parted_pair_scene(const reference::HungPair& pair, const State& at_break) {
+Scene parted_pair_scene(const reference::HungPair& pair, const State& at_break, double relaxation) {
   ModelBuilder builder;
   add_mass(builder, "b", pair.mass_b, cable_length);
   const BodyId c = add_mass(builder, "c", pair.mass_c, 2.0 * cable_length);
@@ -55,7 +61,7 @@ Scene parted_pair_scene(const reference::HungPair& pair, const State& at_break) 
                     .a = {},
                     .b = {c, {}},
                     .rest_length = 2.0 * cable_length,
-                    .law = ElasticPlastic{.stiffness = stiffness}});
+                    .law = cable_law(stiffness, relaxation)});
   Scene scene;
   scene.model = builder.build();
   scene.initial = rest_state(scene.model);

@@ -17,11 +17,11 @@ inline constexpr double cable_length = 8.0;
 [[nodiscard]] Scene thrown_mass(const CableLaw& law, double mass, double speed, double gravity = 0.0);
 
 /// The pair of the reference, with masses "b" and "c", cables "one" and "two" at their rest lengths, and hanger
-/// "hanger" on b.
-[[nodiscard]] Scene hung_pair(const reference::HungPair& pair, double strength);
+/// "hanger" on b. With a `relaxation` [T] the cables have dashpots: their stiffness times this.
+[[nodiscard]] Scene hung_pair(const reference::HungPair& pair, double strength, double relaxation = 0.0);
 
 /// The pair after the break: the two cables joined into one between the origin and c, b free.
-[[nodiscard]] Scene parted_pair_scene(const reference::HungPair& pair, const State& at_break);
+[[nodiscard]] Scene parted_pair_scene(const reference::HungPair& pair, const State& at_break, double relaxation = 0.0);
 
 /// Result of a run up to its end time, or until the first cable, having been taut, is slack or broken.
 struct CableRunResult {
