@@ -215,6 +215,17 @@ void check_growth(Findings& findings, const Setup& setup) {
       0.0065,
       "as for the constant ratio, with the error of the largest overlap in K2; the next order is (w2 h)^2 of it, "
       "0.0065 at the highest speed");
+  double given = 0.0;
+  for (const double speed : {0.0625, 0.25, 1.0}) {
+    constexpr double e = 0.6;
+    LatchingSpring law = growing_latch(speed, {}).law;
+    law.set_restitution(e, 1.0, speed);
+    const double k2 = law.unloading_stiffness;
+    keep_worst(given, reference::latching_events({1.0, k2, law.growth, 1.0, speed}).restitution / e - 1.0);
+  }
+  findings.expect_round_off(
+      "closed-form e of a growing K2 that is set for e = 0.6, three speeds, largest relative error", given, 0.0, 1e-15,
+      "K2 = K1/e^2 less its growth, about ten roundings of half that in e");
   if (setup.coarse) return;
   findings.figure({.name = "speeds",
                    .title = "Restitution decreases with speed",
