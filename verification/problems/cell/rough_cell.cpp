@@ -73,6 +73,23 @@ void expect_balances(Findings& findings, const Setup& setup) {
                              "released at the end of contacts have errors of the same order and the opposite sign");
 }
 
+/// The limit of the step by sticking contacts, for a friction spring so stiff that no other limit is shorter. The slip
+/// rate of two solid discs that stick changes by 6 T/m, and w_s h = 1 is allowed.
+void expect_step_limit(Findings& findings) {
+  ShearCell cell = cell_with({});
+  cell.friction = CoulombFriction{0.5, 142140.0};
+  const double limit = std::sqrt(cell.mass / (6.0 * 142140.0));
+  const auto errors = [&](double step) {
+    CellPlan plan;
+    plan.step = step, plan.every = 0.01, plan.end = 0.1;
+    return static_cast<double>(validation_errors(cell, plan).size());
+  };
+  findings.expect_exact("errors of a step of 0.999 sqrt(m/(6 k_s))", errors(0.999 * limit), 0.0,
+                        "0.7 of the limit of ten steps in a contact, the next one");
+  findings.expect_exact("errors of a step of 1.001 sqrt(m/(6 k_s))", errors(1.001 * limit), 1.0,
+                        "that of contacts that stick");
+}
+
 /// Means after the start-up. `torque` is that of friction on the free discs, over its value if all contacts turned them
 /// the same way.
 struct Flow {
@@ -180,6 +197,7 @@ void run(Findings& findings, const Setup& setup) {
   // Checks that the injected fault does not affect are not run again.
   const bool of_flow = setup.has("one_way_torque") || setup.has("walls_turn") || setup.has("smooth_discs");
   if (!of_flow) expect_balances(findings, setup);
+  if (setup.fault.empty()) expect_step_limit(findings);
   if (!of_flow && !setup.fault.empty()) return;
   const Flow rough = flow(findings, setup, true);
   findings.expect_model({"net_torque", "net torque of friction on the free discs, over the sum of its magnitudes"},
