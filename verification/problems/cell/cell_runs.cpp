@@ -11,11 +11,13 @@ CellPlan cell_plan(const ShearCell& cell, double time, double steps_in_contact, 
   return plan;
 }
 
-CellRun& run_to_end(CellRun& run) {
+CellRun& run_to_end(CellRun& run, const std::function<void(CellRun&)>& at_output) {
   std::visit([](const auto& law) { record_use(law); }, run.cell().law);
   record_use("integrator." + run.plan().integrator);
-  while (!run.finished() && run.failure().empty())
+  while (!run.finished() && run.failure().empty()) {
     run.advance();
+    if (at_output && run.due()) at_output(run);
+  }
   return run;
 }
 
