@@ -134,7 +134,7 @@ void check_pairs(Findings& findings, const Setup& setup, Table& table, const cha
       cells("pairs within reach, {} | {} | {:.2f} | none", name, dynamics.contacts().candidates(), near));
 }
 
-/// Discs thrown together, with a contact for each pair.
+/// Discs thrown together, with a contact for each pair, and a second one without dashpot for every other pair.
 Scene thrown_discs() {
   constexpr int side = 4;
   std::mt19937 random{7};
@@ -148,6 +148,9 @@ Scene thrown_discs() {
     for (int other = 0; other < i; ++other) {
       builder.add_contact(fmt::format("{}-{}", other, i), discs[static_cast<std::size_t>(other)], discs.back(),
                           LinearSpringDashpot{4e3, 3.0, EndRule::clamped});
+      if ((i + other) % 2 == 0)
+        builder.add_contact(fmt::format("{}-{} again", other, i), discs[static_cast<std::size_t>(other)], discs.back(),
+                            LinearSpringDashpot{1e3, 0.0, EndRule::clamped});
     }
   }
   Scene scene = builder.at_rest("Thrown discs");
