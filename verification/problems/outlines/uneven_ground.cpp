@@ -1,3 +1,4 @@
+#include "solver/geometry/penetration.hpp"
 #include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::uneven_ground {
@@ -152,10 +153,31 @@ void check_notch(Findings& findings, const Setup& setup) {
                             "both sides push with the same numbers except for the last digit of their normals", "m");
 }
 
+/// Overlap of outlines with a peak that pierces their lowest point, as searched for contacts that nodes do not see: its
+/// depth in the outline, because each outline is above the slopes beside it.
+void check_peak(Findings& findings) {
+  constexpr double depth = 0.125, half_height = 0.5;
+  const Terrain peak{{{-1.0, -tangent}, {0.0, 0.0}, {1.0, -tangent}}};
+  double worst = 0.0;
+  for (const Shape& shape : {Shape{Circle{half_height}}, Shape{Rectangle{0.75, half_height}}}) {
+    for (const double angle : {0.0, 0.7}) {
+      Pose ground, body;
+      ground.p_WB = {3.0, -2.0}, ground.R_WB = body.R_WB = rotation(angle);
+      body.p_WB = ground.p_WB + ground.R_WB * Vec2{0.0, half_height - depth};
+      keep_worst(worst, penetration(shape, body, peak, ground) - depth);
+      keep_worst(worst, penetration(peak, ground, shape, body) - depth);
+    }
+  }
+  findings.expect_round_off("overlap of a disc and a rectangle pierced by a peak, largest error", worst, 0.0, 2e-15,
+                            "positions of 3 m, rounded to 2.2e-16, turned into the outline's frame: four roundings",
+                            "m");
+}
+
 void run_all(Findings& findings, const Setup& setup) {
   check_straight(findings, setup);
   check_crest(findings, setup);
   check_notch(findings, setup);
+  if (!setup.coarse) check_peak(findings);
 }
 
 }  // namespace
