@@ -42,7 +42,7 @@ double exact(const std::string& quantity, int disc, double t) {
   return quantity.starts_with('v') ? speed_at(flight, t) : position_at(flight, t);
 }
 
-std::string scene_text() {
+std::string scene_text(double each = step) {
   std::string text =
       fmt::format("title = \"Discs in free fall\"\nunits = \"SI\"\ngravity = [\"0 m/s^2\", \"{} m/s^2\"]\n", -gravity);
   for (int i = 1; i <= discs; ++i) {
@@ -73,7 +73,7 @@ step = "{} s"
 end = "{} s"
 interval = "{} s"
 )",
-                            near_z, rope_y, far_z, step, steps * step, step);
+                            near_z, rope_y, far_z, each, steps * step, each);
 }
 
 /// A cell of 20 discs between walls of six.
@@ -454,6 +454,40 @@ double check_animations(const Pictures& program, Differences& differ) {
   return worst;
 }
 
+/// A page of a run with more rows than it draws: its curves have the extremes of history.csv, and end with its last row.
+void check_long_history(const Pictures& program, Differences& differ) {
+  constexpr int rows = 1024;
+  program.folder().write("long.toml", scene_text(1.0 / rows));
+  (void)talus_output(program.folder(), {"run", "long.toml", "--out", "long", "--frames", "2"});
+  (void)talus_output(program.folder(), {"animate", "long", "--html", "--out", "long"});
+  const records::Csv history = records::read_csv(program.folder().path() / "long/history.csv");
+  differ.compare("animate: rows of a long history", history.rows(), rows + 1UL);
+  const auto column_of = [&](const std::string& name) {
+    const auto found =
+        std::ranges::find_if(history.header(), [&](const std::string& head) { return head.starts_with(name + " ["); });
+    Numbers values;
+    for (std::size_t row = 0; found != history.header().end() && row < history.rows(); ++row)
+      values.push_back(history.number(row, static_cast<std::size_t>(found - history.header().begin())));
+    return values;
+  };
+  const auto same = [](double drawn, double exact) { return std::abs(drawn - exact) <= 5.1e-6 * std::abs(exact); };
+  const Json data = Json::parse(between(program.folder().read("long/animation.html"), "id=\"data\">", "</script>"));
+  differ.holds("animate: curves of a long history", !data.at("charts").empty());
+  for (const Json& chart : data.at("charts")) {
+    const Numbers times = chart.at("t").get<Numbers>();
+    differ.holds("animate: points of a long history", times.size() < rows);
+    differ.holds("animate: last time of a long history", same(times.back(), steps * step));
+    for (const Json& series : chart.at("series")) {
+      const Numbers drawn = series.at("values").get<Numbers>(),
+                    values = column_of(series.at("name").get<std::string>());
+      if (values.empty() || drawn.size() != times.size()) return differ.holds("animate: column of a curve", false);
+      differ.holds("animate: last value of a long history", same(drawn.back(), values.back()));
+      differ.holds("animate: extremes of a long history", same(std::ranges::min(drawn), std::ranges::min(values)) &&
+                                                              same(std::ranges::max(drawn), std::ranges::max(values)));
+    }
+  }
+}
+
 /// Discs of a cell are coloured by their speed, or by the forces on them. Returns the largest error of a value as read
 /// from its colour, over the largest value.
 double check_colours(const Pictures& program, Differences& differ, const Setup& setup) {
@@ -512,6 +546,7 @@ void run(Findings& findings, const Setup& setup) {
   check_list(program, plots);
   double drawn = check_snapshots(program, states);
   keep_worst(drawn, check_animations(program, films));
+  if (setup.fault.empty()) check_long_history(program, films);
   const double colours = check_colours(program, states, setup);
   findings.expect("talus plot: points of curves, over the larger of 1 and the exact value, largest error", curves, 0.0,
                   Tolerance::round_off(1e-15,
