@@ -480,8 +480,8 @@ void check_lammps(const TemporaryFolder& folder, Findings& findings, const Setup
 }
 
 /// Two cells of spheres as read by LAMMPS: Hertz's law and Mindlin's friction by the effective radius of the pair, a
-/// quarter of the diameter. Forces are proportional to the root of the radius, which in the second cell is a millimetre:
-/// four times that of LAMMPS.
+/// quarter of the diameter. Forces are proportional to the root of the radius, which in the second cell is 1 mm, four
+/// times that of LAMMPS.
 void check_spheres(const TemporaryFolder& folder, Findings& findings, const Setup& setup) {
   constexpr double modulus = 700e6, shear_modulus = 144e6, friction = 0.5;
   std::string text = records::read_whole(TALUS_CASES "/cell/spheres.toml");

@@ -454,7 +454,7 @@ double check_animations(const Pictures& program, Differences& differ) {
   return worst;
 }
 
-/// A page of a run with more rows than it draws: its curves have the extremes of history.csv, and end with its last row.
+/// A page of a run with more rows than it draws: its curves have the extremes of history.csv and end with its last row.
 void check_long_history(const Pictures& program, Differences& differ) {
   constexpr int rows = 1024;
   program.folder().write("long.toml", scene_text(1.0 / rows));
