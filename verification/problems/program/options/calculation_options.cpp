@@ -256,7 +256,7 @@ void check_cell(const Program& program, Findings& findings, Differences& differ)
 // --- export, new, check, list -------------------------------------------------------------------------------
 
 /// `check` names the worse of two bodies beyond the bound of their moment of inertia, of two overlaps at the start, and
-/// of two contacts that become lighter, in any order of the scene. The larger overlap is the smaller one beside its body.
+/// of two contacts that become lighter, in any order of the scene. The larger overlap is smaller beside its body.
 void check_worst_named(const Program& program, Differences& differ) {
   const auto body = [](const std::string& name, const std::string& mobility, double radius, double x) {
     return fmt::format(
