@@ -149,7 +149,7 @@ void add_numbers(Findings& findings, const std::vector<StudyMean>& study) {
 }
 
 void run(Findings& findings, const Setup& setup) {
-  StudyPlan plan{.time = setup.coarse ? 0.15 : 0.4, .seeds = setup.coarse ? 3 : 5, .threads = 1};
+  StudyPlan plan{.time = setup.coarse ? 0.15 : 0.3, .seeds = setup.coarse ? 3 : 5, .threads = 1};
   if (!setup.coarse) plan.threads = std::clamp(std::thread::hardware_concurrency(), 1U, 2U);
   std::vector<StudyPoint> points = shear_study_points(setup.coarse);
   for (StudyPoint& point : points)
@@ -215,7 +215,7 @@ Case definition() {
           .faults = {{"one_speed", "series at 1000 d/s run at 5000 d/s", "load_slow"},
                      {"loads_exchanged", "lightest and heaviest load exchanged", "prediction_2"}},
           .tier = Tier::full,
-          .full_seconds = 110.0,
+          .full_seconds = 80.0,
           .time_limit = 900.0,
           .run = run};
 }

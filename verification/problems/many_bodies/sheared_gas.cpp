@@ -171,7 +171,7 @@ void run(Findings& findings, const Setup& setup) {
   const double strain = setup.coarse ? 40.0 : full ? 55.0 : 35.0;
   std::vector<Sheared> all;
   for (const reference::GasOfDiscs& gas : gases)
-    all.push_back(shear(gas, setup.coarse ? 200 : full ? 900 : 400, full ? 0.01 : 0.02, strain, findings, setup));
+    all.push_back(shear(gas, setup.coarse ? 200 : full ? 600 : 400, full ? 0.01 : 0.02, strain, findings, setup));
   check(findings, all);
   if (setup.coarse) return;
   findings.table(table_of(all));
@@ -196,7 +196,7 @@ Case definition() {
                      {"flow_in_temperature", "mean flow included in the temperature", temperature},
                      {"stress_without_contacts", "stress from motion alone", friction}},
           .seconds = 3.0,
-          .full_seconds = 73.0,
+          .full_seconds = 48.0,
           .run = run};
 }
 
