@@ -41,7 +41,7 @@ State run(const Scene& scene, double step, double end, Findings& findings) {
   return run_scene(scene, VelocityVerlet{}, {step, end, 1e9, false}, findings).state;
 }
 
-/// A disc and a rectangle bounce, slip and turn down a slope of three segments: compared with a half-plane, bit for bit.
+/// A disc and a rectangle bounce, slip and turn down a slope of three segments: the same bits as on a half-plane.
 void check_straight(Findings& findings, const Setup& setup) {
   const double lift = setup.has("bent_ground") ? 1e-12 : 0.0;
   const Terrain straight{{{-0.3, 0.0}, {0.4, 0.0}, {1.1, lift}, {1.6, 2.0 * lift}}};
