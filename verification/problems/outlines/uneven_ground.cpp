@@ -201,6 +201,7 @@ Case definition() {
                            {"pair.circle.terrain",
                             {"straight_terrain", "slope_speed", "crest_energy", "notch_position", "notch_overlap",
                              "order_in_notch", "two_slopes", "position across between two slopes"}},
+                           {"shape.rectangle, pair.rectangle.terrain", {"straight_terrain"}},
                            {"C2", {"slope_speed", "crest_energy"}},
                            {"law.linear_spring_dashpot",
                             {"straight_terrain", "notch_position", "notch_overlap", "order_in_notch"}},
