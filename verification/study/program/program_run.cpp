@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <iterator>
 #include <sstream>
@@ -73,6 +74,16 @@ std::vector<double> data_array(const std::string& text, const std::string& name)
   const std::size_t from = text.find('>', head) + 1;
   std::istringstream numbers{text.substr(from, text.find('<', from) - from)};
   return {std::istream_iterator<double>{numbers}, {}};
+}
+
+std::vector<double> column(const records::Csv& table, const std::string& name) {
+  const auto found =
+      std::ranges::find_if(table.header(), [&](const std::string& head) { return head.starts_with(name + " ["); });
+  const std::size_t at = table.column(found == table.header().end() ? name : *found);
+  std::vector<double> values(table.rows());
+  for (std::size_t row = 0; row < values.size(); ++row)
+    values[row] = table.number(row, at);
+  return values;
 }
 
 }  // namespace talus::verification::problems

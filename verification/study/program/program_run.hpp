@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "verification/record/csv.hpp"
+
 /// Runs the built program `talus` as a user does, and reads its files. No solver code is called here: files are read by
 /// the record library.
 namespace talus::verification::problems {
@@ -58,5 +60,7 @@ struct GeometryState {
                                                          const std::string& name);
 /// Numbers of a data array of a VTK file; empty if there is no array of that name.
 [[nodiscard]] std::vector<double> data_array(const std::string& text, const std::string& name);
+/// Values of the column "NAME [UNIT]" of a table, whatever its unit. Throws records::RecordError if there is none.
+[[nodiscard]] std::vector<double> column(const records::Csv& table, const std::string& name);
 
 }  // namespace talus::verification::problems

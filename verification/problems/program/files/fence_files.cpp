@@ -40,17 +40,6 @@ std::string scene_text(const Setup& setup) {
   return text;
 }
 
-std::vector<double> column(const Csv& table, const std::string& name) {
-  const auto& header = table.header();
-  const auto found =
-      std::ranges::find_if(header, [&](const std::string& cell) { return cell.starts_with(name + " ["); });
-  const std::size_t i = table.column(found == header.end() ? name : *found);
-  std::vector<double> values(table.rows());
-  for (std::size_t row = 0; row < values.size(); ++row)
-    values[row] = table.number(row, i);
-  return values;
-}
-
 /// Largest difference a - b of two lists, relative to the largest |b|.
 double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
   double largest = 0.0, scale = 0.0;

@@ -462,14 +462,6 @@ void check_long_history(const Pictures& program, Differences& differ) {
   (void)talus_output(program.folder(), {"animate", "long", "--html", "--out", "long"});
   const records::Csv history = records::read_csv(program.folder().path() / "long/history.csv");
   differ.compare("animate: rows of a long history", history.rows(), rows + 1UL);
-  const auto column_of = [&](const std::string& name) {
-    const auto found =
-        std::ranges::find_if(history.header(), [&](const std::string& head) { return head.starts_with(name + " ["); });
-    Numbers values;
-    for (std::size_t row = 0; found != history.header().end() && row < history.rows(); ++row)
-      values.push_back(history.number(row, static_cast<std::size_t>(found - history.header().begin())));
-    return values;
-  };
   const auto same = [](double drawn, double exact) { return std::abs(drawn - exact) <= 5.1e-6 * std::abs(exact); };
   const Json data = Json::parse(between(program.folder().read("long/animation.html"), "id=\"data\">", "</script>"));
   differ.holds("animate: curves of a long history", !data.at("charts").empty());
@@ -479,8 +471,8 @@ void check_long_history(const Pictures& program, Differences& differ) {
     differ.holds("animate: last time of a long history", same(times.back(), steps * step));
     for (const Json& series : chart.at("series")) {
       const Numbers drawn = series.at("values").get<Numbers>(),
-                    values = column_of(series.at("name").get<std::string>());
-      if (values.empty() || drawn.size() != times.size()) return differ.holds("animate: column of a curve", false);
+                    values = column(history, series.at("name").get<std::string>());
+      differ.holds("animate: a value for each time of a long history", drawn.size() == times.size());
       differ.holds("animate: last value of a long history", same(drawn.back(), values.back()));
       differ.holds("animate: extremes of a long history", same(std::ranges::min(drawn), std::ranges::min(values)) &&
                                                               same(std::ranges::max(drawn), std::ranges::max(values)));
