@@ -33,11 +33,11 @@ inline void keep_smallest(double& smallest, double value) {
   if (!std::isnan(smallest) && !(value >= smallest)) smallest = value;
 }
 
-/// Worst of measured - reference, component by component; both vectors have the same length.
+/// Worst of measured - reference, component by component; NaN if one has more than the other.
 [[nodiscard]] inline double worst_error(const std::vector<double>& measured, const std::vector<double>& reference) {
-  double worst = 0.0;
-  for (std::size_t i = 0; i < reference.size(); ++i)
-    keep_worst(worst, measured.at(i) - reference[i]);
+  double worst = measured.size() == reference.size() ? 0.0 : NAN;
+  for (std::size_t i = 0; i < std::min(measured.size(), reference.size()); ++i)
+    keep_worst(worst, measured[i] - reference[i]);
   return worst;
 }
 
