@@ -20,7 +20,7 @@ double apart(const Discs& one, const std::vector<double>& x, const std::vector<d
   double maximum = 0.0;
   for (std::size_t i = 0; i < one.size(); ++i) {
     const double across = one.x[i] - x[i];
-    maximum = worst_of({maximum, std::abs(across - width * std::round(across / width)), std::abs(one.y[i] - y[i])});
+    keep_largest(maximum, across - width * std::round(across / width)), keep_largest(maximum, one.y[i] - y[i]);
   }
   return maximum;
 }

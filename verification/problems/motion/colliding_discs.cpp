@@ -28,7 +28,7 @@ Ledger run_ledger(const Scene& scene, double step, double end, const Setup& setu
     const Vec2 drift = now.momenta.linear - start.momenta.linear;
     found.left_over = now.energy_balance_error / start.energies.kinetic;
     keep_largest(found.largest, found.left_over);
-    found.momentum = worst_of({found.momentum, std::abs(drift.x), std::abs(drift.y)});
+    keep_largest(found.momentum, drift.x), keep_largest(found.momentum, drift.y);
     keep_largest(found.moment, now.momenta.angular - start.momenta.angular);
   };
   if (!run_scene(scene, VelocityVerlet{}, {step, end, end, true}, findings, account).finished)

@@ -49,7 +49,8 @@ FlightErrors fly(const Integrator& method, double step, long count, const Setup&
     const double position = position_at(flights[i], t), speed = speed_at(flights[i], t);
     errors.position[i] = run.state.q[i] - position;
     errors.speed[i] = run.state.v[i] - speed;
-    errors.largest = worst_of({errors.largest, std::abs(position), std::abs(speed), std::abs(flights[i].speed)});
+    for (const double of : {position, speed, flights[i].speed})
+      keep_largest(errors.largest, of);
   }
   return errors;
 }

@@ -83,7 +83,7 @@ Return there_and_back(const Reversible& one, const Integrator& method, double st
   double largest = 0.0;
   for (const State* state : {&start, &there}) {
     for (std::size_t i = 0; i < state->q.size(); ++i)
-      largest = worst_of({largest, std::abs(state->q[i]), std::abs(state->v[i])});
+      keep_largest(largest, state->q[i]), keep_largest(largest, state->v[i]);
   }
   constexpr double change = 1e-8;
   std::mt19937_64 random{3};
@@ -93,7 +93,7 @@ Return there_and_back(const Reversible& one, const Integrator& method, double st
     for (std::size_t k = 0; k < other.q.size(); ++k)
       other.q[k] += any(random), other.v[k] += any(random);
     const Difference grown = difference(back, turned(proceed(one.scene, other, method, step, steps, findings)));
-    found.growth = worst_of({found.growth, grown.position / change, grown.velocity / change});
+    keep_largest(found.growth, grown.position / change), keep_largest(found.growth, grown.velocity / change);
   }
   found.rounding = std::sqrt(2.0 * static_cast<double>(steps)) * 0x1p-53 * largest * found.growth;
   return found;

@@ -145,9 +145,9 @@ void check_solver_formulas(Findings& findings) {
   double near_one = 0.0;
   for (const double off : {-0.99e-4, -3e-5, -1e-9, 0.0, 1e-9, 3e-5, 0.99e-4}) {
     const double xi = 1.0 + off, e = reference::restitution(xi, reference::EndRule::clamped);
-    near_one = worst_of({near_one, relative(talus::restitution(xi, EndRule::clamped), e),
-                         relative(talus::damping_ratio(e, EndRule::clamped),
-                                  reference::damping_ratio(e, reference::EndRule::clamped))});
+    keep_largest(near_one, relative(talus::restitution(xi, EndRule::clamped), e));
+    keep_largest(near_one, relative(talus::damping_ratio(e, EndRule::clamped),
+                                    reference::damping_ratio(e, reference::EndRule::clamped)));
   }
   const double eps = 0x1p-52;
   findings.expect_round_off("solver's damping ratio and restitution near xi = 1, clamped, relative error", near_one,

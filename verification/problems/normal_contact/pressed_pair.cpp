@@ -100,7 +100,7 @@ double predicted_damped_error(const Pair& pair, double step) {
       change[0] += p0 * difference;
       change[1] += p1 * difference;
     }
-    largest = worst_of({largest, std::abs(change[0]), std::abs(change[1])});
+    keep_largest(largest, change[0]), keep_largest(largest, change[1]);
   }
   return largest / start.height[0];
 }

@@ -55,7 +55,7 @@ void check_mirror(Findings& findings, const Setup& setup) {
           left.q = {-left.q[0], left.q[1], -left.q[2]};
           left.v = {-left.v[0], left.v[1], -left.v[2]};
           const Difference apart = difference(left, right);
-          differing = worst_of({differing, apart.position, apart.velocity});
+          keep_largest(differing, apart.position), keep_largest(differing, apart.velocity);
         }
       }
       findings.expect_round_off(

@@ -89,7 +89,7 @@ void check_area(Findings& findings, const Setup& setup) {
     const Lacking found = lacking(n, setup);
     const auto area = over_leading_order(found.of_area, reference::area_cut_off(found.shape, 1.0), n);
     const auto moment = over_leading_order(found.of_moment, reference::moment_cut_off(found.shape, 1.0), n);
-    farthest = worst_of({farthest, std::abs(area[1] - 1.0), std::abs(moment[1] - 1.0)});
+    keep_largest(farthest, area[1] - 1.0), keep_largest(farthest, moment[1] - 1.0);
     // From n = 8 on the next term, nodes^(-2/n), lowers the order at all numbers of nodes.
     const double low = n > 4.0 ? 1.96 : 1.98;
     findings.expect_order({"order_of_area", fmt::format("order of the polygon's area in 1/nodes, n = {:g}", n)},
