@@ -17,7 +17,7 @@ namespace {
 using records::Json;
 using records::Node;
 
-constexpr int capacity_schema = 3;
+constexpr int capacity_schema = 4;
 
 /// Maximum rows of the table of boundaries, so that the page is one.
 constexpr std::size_t maximum_boundaries = 14;
@@ -43,6 +43,10 @@ CapacityRuns runs(const Node& ends, const Node* outputs) {
     found.ends.emplace_back(name, count.count());
   if (outputs == nullptr) return found;
   for (const auto& [name, of] : outputs->members()) {
+    if (of.json().is_null()) {
+      found.without_limit.push_back(name);
+      continue;
+    }
     const Node p95 = of.at("p95");
     found.outputs.emplace_back(name, CapacityOutput{of.at("median").at("value").finite(), p95.at("value").finite(),
                                                     interval(p95.at("interval"))});
@@ -156,26 +160,20 @@ SheetTable hazard_table(const CapacityRecord& record) {
                    {}};
   struct Line {
     const char *name, *label;
-    const SheetUnits* units;
-    const char* force = nullptr;  ///< of which it is the margin
+    const SheetUnits* units = nullptr;
   };
   const std::vector<Line> lines{{"fence.anchor_force", "anchor force", &force_units},
                                 {"fence.cable_force", "cable force", &force_units},
                                 {"fence.hanger_force", "hanger force", &force_units},
-                                {"fence.cable_margin", "cable force/limit", nullptr, "fence.cable_force"},
-                                {"fence.hanger_margin", "hanger force/limit", nullptr, "fence.hanger_force"},
+                                {"fence.cable_margin", "cable force/limit"},
+                                {"fence.hanger_margin", "hanger force/limit"},
                                 {"fence.exit_energy", "energy after the last contact", &energy_units}};
   for (const Line& line : lines) {
+    if (std::ranges::find(record.hazard->without_limit, line.name) != record.hazard->without_limit.end())
+      table.rows.push_back({line.label, "", "no limit", "no limit", ""});
     const CapacityOutput* const of = output_of(*record.hazard, line.name);
     if (of == nullptr) continue;
     const double unit = line.units == nullptr ? 1.0 : record.us_units ? line.units->us : line.units->si;
-    if (line.force != nullptr && of->p95 == 0.0) {
-      const CapacityOutput* const force = output_of(*record.hazard, line.force);
-      if (force != nullptr && force->p95 > 0.0) {
-        table.rows.push_back({line.label, "", "no limit", "no limit", ""});
-        continue;
-      }
-    }
     const auto number = [&](const std::optional<double>& value) { return value ? digits(*value / unit) : "unknown"; };
     table.rows.push_back(
         {line.label,

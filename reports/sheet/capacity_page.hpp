@@ -26,6 +26,7 @@ struct CapacityOutput {
 struct CapacityRuns {
   std::vector<std::pair<std::string, std::size_t>> ends;
   std::vector<std::pair<std::string, CapacityOutput>> outputs;
+  std::vector<std::string> without_limit;  ///< margins of forces that have no limit
 
   std::size_t count() const;
 };

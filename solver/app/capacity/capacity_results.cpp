@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int schema = 3;
+constexpr int schema = 4;
 constexpr std::array<const char*, 3> state_names{"stopped", "not stopped", "open"};
 /// Labels of capacity_outputs in the text.
 constexpr std::array<std::string_view, 6> output_labels{"anchor force",       "cable force",
@@ -80,12 +80,22 @@ Json interval_json(const Interval& interval) {
   return Json{end(interval.low), end(interval.high)};
 }
 
+/// Whether an output is the margin of forces that have no limit.
+bool has_no_limit(const RockTrials& trials, std::size_t output) {
+  if (output != cable_margin && output != hanger_margin) return false;
+  const std::size_t force = output == cable_margin ? cable_force : hanger_force;
+  return std::ranges::max(trials.values(output)) == 0.0 && std::ranges::max(trials.values(force)) > 0.0;
+}
+
+/// By their names; null: margins of forces that have no limit.
 Json outputs_json(const RockTrials& trials) {
   Json json = Json::object();
   for (std::size_t output = 0; output < capacity_outputs.size(); ++output) {
     const std::vector<double> values = trials.values(output);
     if (values.empty()) continue;
-    Json& quantiles = json[std::string{capacity_outputs[output]}] = {{"runs", values.size()}};
+    Json& quantiles = json[std::string{capacity_outputs[output]}];
+    if (has_no_limit(trials, output)) continue;
+    quantiles = {{"runs", values.size()}};
     for (const auto& [name, probability] : {std::pair{"median", 0.5}, std::pair{"p95", 0.95}}) {
       const SampleQuantile quantile = sample_quantile(values, probability);
       quantiles[name] = {{"value", quantile.value}, {"interval", interval_json(quantile.interval)}};
@@ -143,13 +153,6 @@ std::string range_text(const Interval& interval, const Unit& unit) {
   if (!(interval.low > 0.0)) return is_bounded ? fmt::format("below {:.4g}", unit.of(interval.high)) : "open";
   if (!is_bounded) return fmt::format("above {:.4g}", unit.of(interval.low));
   return fmt::format("{:.4g} to {:.4g}", unit.of(interval.low), unit.of(interval.high));
-}
-
-/// Whether an output is the margin of forces that have no limit.
-bool has_no_limit(const RockTrials& trials, std::size_t output) {
-  if (output != cable_margin && output != hanger_margin) return false;
-  const std::size_t force = output == cable_margin ? cable_force : hanger_force;
-  return std::ranges::max(trials.values(output)) == 0.0 && std::ranges::max(trials.values(force)) > 0.0;
 }
 
 /// A percentile of an output; "" if there is none.

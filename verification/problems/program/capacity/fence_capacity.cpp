@@ -306,6 +306,28 @@ void check_hazard(const Program& program, Findings& findings, Differences& diffe
                std::abs(forces.at("p95").at("value").get<double>() / strength - 1.0) < 0.01);
 }
 
+/// Margins of hangers that have a force: without a limit, then with one that the same forces do not reach.
+void check_margins(const Program& program, Differences& differ) {
+  program.write("margins.toml", question(4,
+                                         "[hazard]\nmass = \"200 kg\"\nspeed = \"4 m/s\"\nheight = \"4.5 m\"\n"
+                                         "runs = 8\n"));
+  const auto outputs_with = [&](const std::string& option, const std::string& folder) {
+    program.write("fence.toml", fence(guided, option));
+    const ProgramEnd end = program.end({"capacity", "margins.toml"}, {{"--no-plots", {}}, {"--out", {folder}}});
+    differ.contains("printed margin of the hangers", squeezed(end.output),
+                    option.empty() ? "hanger force/limit no limit\n" : "hanger force/limit median 0.");
+    return program.file(folder + "/capacity.json").at("hazard").at("outputs");
+  };
+  const auto largest = [](const Json& quantiles) { return quantiles.at("p95").at("value").get<double>(); };
+  const Json unlimited = outputs_with("", "margins_without");
+  const double limit = 4.0 * strength, force = largest(unlimited.at("fence.hanger_force"));
+  differ.holds("force of the hangers", force > 0.0 && force < limit);
+  differ.holds("a margin without a limit", unlimited.at("fence.hanger_margin").is_null());
+  const Json limited = outputs_with(fmt::format("hanger_strength = \"{} N\"\n", limit), "margins_with");
+  differ.holds("a margin with a limit", std::abs(largest(limited.at("fence.hanger_margin")) - force / limit) < 1e-12);
+  program.write("fence.toml", fence(guided));
+}
+
 /// Tilted elongated rocks of other sizes: they start as far in front of that of the base as they reach further, a
 /// larger one in its bounding box, a smaller one as an ellipse.
 void check_tilted_rocks(const Program& program, Differences& differ) {
@@ -519,6 +541,7 @@ void run(Findings& findings, const Setup& setup) {
     check_ends(program, differ);
     check_factor(program, differ);
     check_positions(program, differ);
+    check_margins(program, differ);
     check_us_base(program, differ);
     check_refusals(program, differ);
   }
