@@ -346,7 +346,8 @@ int submit(const SweepOptions& options) {
     reports::demand_program(command.program);
     write_whole(script, part_script(request));
     const Interruption interruption;
-    const reports::Finished ended = run_engine(command, sweep, interruption);
+    reports::Finished ended = run_engine(command, sweep, interruption);
+    ended.messages.resize(ended.messages.find_last_not_of('\n') + 1);
     fmt::print("{}", ended.output);
     if (interruption.signal() != 0) {
       print_failure(
