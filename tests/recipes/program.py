@@ -36,6 +36,12 @@ def run_scene(text, out="out"):
     return pathlib.Path(out)
 
 
+def guide_script(heading):
+    """The first script in Python below a heading of docs/python.md."""
+    guide = pathlib.Path(__file__).resolve().parents[2] / "docs" / "python.md"
+    return guide.read_text().split(f"# {heading}\n", 1)[1].split("```python\n", 1)[1].split("```", 1)[0]
+
+
 def final_body(folder, name):
     """Position, velocity, ... of a body at the end of a run, as in final_state.json."""
     bodies = json.loads((folder / "final_state.json").read_text())["bodies"]

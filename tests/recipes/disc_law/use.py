@@ -1,8 +1,10 @@
-"""Impacts of a disc by the conical law: the restitution of its damping ratio at every speed; and a shear cell of it."""
+"""Impacts of a disc by the conical law: the restitution of its damping ratio at every speed; its potential, by the
+script of the guide; and a shear cell of it."""
 
 import math
+import sys
 
-from program import expect, expect_near, final_body, run_scene, talus
+from program import expect, expect_near, final_body, guide_script, run, run_scene, talus
 
 laws = talus("list", "laws")
 for head in ('[[contact]], law = "conical"', '[cell], law = "conical"'):
@@ -43,6 +45,13 @@ end = "0.1 s"
 """, f"out{speed}")
     # 1e-3: dashpots are of first order in the step, which is 1e-4 of the contact time.
     expect_near("speed after the impact", final_body(folder, "disc")["velocity"][1], restitution * speed, 1e-3)
+
+script, laws = guide_script("Is a contact law conservative?"), "for law in (\n"
+expect(script.count(laws) == 1, f"the script of the guide must have one line '{laws}'")
+conical = {"law": "conical", "stiffness": "50 kN/m", "at_overlap": "1 mm", "damping": "0 N s/m"}
+found = run(sys.executable, "-c", script.replace(laws, f"{laws}    {conical},\n")).splitlines()[0]
+# 1e-8: differences of energies over 1e-6 m, round-off of 1e-16 of energies and errors of third order of forces.
+expect(found.startswith("conical: ") and float(found.split()[-1]) < 1e-8, f"the script of the guide says: {found}")
 
 open("cell.toml", "w").write("""title = "Cell of conical discs"
 units = "SI"
