@@ -218,7 +218,7 @@ void demand_one_division(const fs::path& parts, const Shard& shard) {
     if (!entry.is_directory() || part.ends_with(fmt::format("-of-{}", shard.count))) continue;
     try {
       const FolderLock is_free{entry.path()};
-    } catch (const IoError&) {
+    } catch (const FolderInUse&) {
       throw IoError{
           fmt::format("{}: part {} of another division runs, which has some of the same runs; it must end first",
                       parts.parent_path().string(), part)};

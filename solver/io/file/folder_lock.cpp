@@ -13,8 +13,6 @@
 #include <sstream>
 #include <string>
 
-#include "solver/base/error.hpp"
-
 namespace talus {
 namespace {
 
@@ -42,7 +40,7 @@ FolderLock::FolderLock(const std::filesystem::path& folder)
   if (::flock(descriptor_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
   const std::string process = holder(descriptor_);
   ::close(descriptor_);
-  throw IoError{
+  throw FolderInUse{
       fmt::format("{}: another run{} is writing into it; each run needs a separate folder", folder.string(), process)};
 }
 
