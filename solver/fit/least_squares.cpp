@@ -118,34 +118,6 @@ Vector gauss_newton(const Matrix& jacobian, const Vector& deviations, const Vect
   return moving.empty() ? Vector::Zero(u.size()) : step;
 }
 
-/// Element of the Halton sequence (Halton 1960): in [0, 1), evenly spread.
-double halton(std::size_t index, std::size_t base) {
-  double fraction = 1.0, value = 0.0;
-  for (; index > 0; index /= base) {
-    fraction /= static_cast<double>(base);
-    value += fraction * static_cast<double>(index % base);
-  }
-  return value;
-}
-
-/// The best of the start and some points of the whole range.
-Vector best_start(UnitProblem& problem) {
-  constexpr std::array<std::size_t, 8> bases{2, 3, 5, 7, 11, 13, 17, 19};
-  Vector best(static_cast<Eigen::Index>(problem.size()));
-  for (std::size_t i = 0; i < problem.size(); ++i)
-    best[static_cast<Eigen::Index>(i)] = problem.coordinate(i);
-  double smallest = sum_of(problem.deviations(best, problem.all_rows()));
-  for (std::size_t k = 1; k <= 8 * problem.size(); ++k) {
-    Vector u(best.size());
-    for (std::size_t i = 0; i < problem.size(); ++i)
-      u[static_cast<Eigen::Index>(i)] = halton(k, bases[i]);
-    if (const double sum = sum_of(problem.deviations(u, problem.all_rows())); sum < smallest) smallest = sum, best = u;
-  }
-  if (smallest >= no_result)
-    throw InputError{"no values of the parameters were found with which all rows have a result; give other ranges"};
-  return best;
-}
-
 /// Rows of data with the number of times that each counts.
 struct Sample {
   std::vector<std::size_t> rows;
@@ -181,23 +153,52 @@ struct Objective {
   }
 };
 
-/// Where the search ended, and whether that was its limit of evaluations.
-std::pair<Vector, bool> searched(UnitProblem& problem, const Sample& sample, Vector start, int maximum) {
+struct Searched {
+  Vector u;
+  double sum{};
+  bool is_limited{};  ///< it ended at its limit of evaluations
+};
+
+/// A search of NLopt within the unit cube. `configure` sets when it ends, besides a number of evaluations.
+template <class Configure>
+Searched searched(UnitProblem& problem, const Sample& sample, nlopt_algorithm algorithm, Vector start, int evaluations,
+                  Configure&& configure) {
   const std::unique_ptr<nlopt_opt_s, decltype(&nlopt_destroy)> search{
-      nlopt_create(NLOPT_LN_SBPLX, static_cast<unsigned>(problem.size())), &nlopt_destroy};
+      nlopt_create(algorithm, static_cast<unsigned>(problem.size())), &nlopt_destroy};
   Objective objective{&problem, &sample, search.get()};
   nlopt_set_min_objective(search.get(), &Objective::value, &objective);
   nlopt_set_lower_bounds1(search.get(), 0.0);
   nlopt_set_upper_bounds1(search.get(), 1.0);
-  nlopt_set_initial_step1(search.get(), 0.1);
-  nlopt_set_xtol_abs1(search.get(), 1e-6);
-  nlopt_set_ftol_rel(search.get(), 1e-10);
-  nlopt_set_maxeval(search.get(), maximum);
-  double sum = 0.0;
-  const nlopt_result end = nlopt_optimize(search.get(), start.data(), &sum);
+  nlopt_set_maxeval(search.get(), evaluations);
+  configure(search.get());
+  Searched found{std::move(start)};
+  const nlopt_result end = nlopt_optimize(search.get(), found.u.data(), &found.sum);
   if (objective.error) std::rethrow_exception(objective.error);
   TALUS_DEMAND(end != NLOPT_INVALID_ARGS && end != NLOPT_OUT_OF_MEMORY);
-  return {clamped(start), end == NLOPT_MAXEVAL_REACHED};
+  found.u = clamped(found.u), found.is_limited = end == NLOPT_MAXEVAL_REACHED;
+  return found;
+}
+
+Searched local_search(UnitProblem& problem, const Sample& sample, const Vector& start, const FitRules& rules) {
+  return searched(problem, sample, NLOPT_LN_SBPLX, start, rules.maximum_searches, [](nlopt_opt search) {
+    nlopt_set_initial_step1(search, 0.1);
+    nlopt_set_xtol_abs1(search, 1e-6);
+    nlopt_set_ftol_rel(search, 1e-10);
+  });
+}
+
+/// The end of a local search from the best point that a search of the whole range finds, or from the start if that is
+/// better.
+Vector best_search(UnitProblem& problem, const Sample& all, const FitRules& rules) {
+  Vector start(static_cast<Eigen::Index>(problem.size()));
+  for (std::size_t i = 0; i < problem.size(); ++i)
+    start[static_cast<Eigen::Index>(i)] = problem.coordinate(i);
+  const double start_sum = sum_of(problem.deviations(start, problem.all_rows()));
+  const int evaluations = rules.global_searches * static_cast<int>(problem.size());
+  const Searched best = searched(problem, all, NLOPT_GN_DIRECT_L, start, evaluations, [](nlopt_opt) {});
+  if (std::min(best.sum, start_sum) >= no_result)
+    throw InputError{"no values of the parameters were found with which all rows have a result; give other ranges"};
+  return local_search(problem, all, start_sum < best.sum ? start : best.u, rules).u;
 }
 
 /// Standard errors in coordinates, and the correlation.
@@ -257,7 +258,8 @@ std::pair<Vector, bool> sample_fit(UnitProblem& problem, const Vector& start, co
     u = next;
     if (change < 0.02) return {u, false};
   }
-  return searched(problem, sample, start, rules.maximum_searches);
+  const Searched end = local_search(problem, sample, start, rules);
+  return {end.u, end.is_limited};
 }
 
 /// Cumulative probability of the lower end of an interval of 95 %, widened for few rows (Hesterberg 2015, section 5).
@@ -277,7 +279,7 @@ double Fit::degrees_of_freedom() const {
 Fit fit(const std::vector<FitParameter>& parameters, const FitModel& model, const FitRules& rules, bool is_absolute) {
   UnitProblem problem{parameters, model, rules.rows};
   const Sample all{problem.all_rows(), std::vector<double>(rules.rows, 1.0)};
-  Vector u = searched(problem, all, best_start(problem), rules.maximum_searches).first;
+  Vector u = best_search(problem, all, rules);
   Vector deviations = problem.deviations(u, problem.all_rows());
   if (deviations.size() <= u.size()) {
     throw InputError{fmt::format("{} measured values for {} parameters; there must be more values than parameters",

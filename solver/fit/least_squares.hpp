@@ -26,7 +26,8 @@ struct FitRules {
   std::size_t rows{};          ///< number of rows of data, > 0
   std::size_t samples{200};    ///< of the bootstrap; 0: no intervals
   std::int64_t seed{1};        ///< of the bootstrap
-  int maximum_searches{2000};  ///< evaluations of the model for the search
+  int global_searches{120};    ///< evaluations of the model for each parameter, over the whole range
+  int maximum_searches{2000};  ///< at most, of a local search
 };
 
 /// A fit by least squares.
@@ -49,9 +50,10 @@ struct Fit {
   [[nodiscard]] double degrees_of_freedom() const;
 };
 
-/// Fits the parameters: the best of some points of the whole range begins a search without derivatives (Rowan 1990,
-/// Subplex, of NLopt), which Gauss-Newton steps complete. `is_absolute`: the uncertainties are known, so that standard
-/// errors are theirs; else they follow from the scatter of the deviations.
+/// Fits the parameters. A search of the whole range (DIRECT-L, Gablonsky & Kelley 2001) finds where a local search
+/// without derivatives begins (Subplex, Rowan 1990; both of NLopt), unless the start is better; Gauss-Newton steps
+/// complete it. A minimum that is narrow beside its range can be missed. `is_absolute`: the uncertainties are known, so
+/// that standard errors are theirs; else they follow from the scatter of the deviations.
 ///
 /// Intervals are those of a bootstrap over the rows (Efron 1979): percentiles of the values that fit samples of as many
 /// rows, drawn with replacement. For few rows they are wider, by Student's distribution (Hesterberg 2015, section 5).

@@ -62,8 +62,9 @@ std::vector<std::string> fit_warnings(const FitFile& file, const Fit& fit) {
   if (const double scatter = std::sqrt(fit.sum / fit.degrees_of_freedom());
       file.has_uncertainties() && scatter > misfit) {
     warnings.push_back(
-        fmt::format("the model does not describe the data within their uncertainty: the standard deviation of the "
-                    "data from it is {:.3g} uncertainties; the intervals are those of a wrong model",
+        fmt::format("the standard deviation of the data from the model is {:.3g} uncertainties: it does not describe "
+                    "them, or the search has missed the best values; compare with a fit of narrower ranges. Intervals "
+                    "are wrong",
                     scatter));
   }
   if (!fit.converged) warnings.emplace_back("the search has not converged; give another start or narrower ranges");

@@ -189,6 +189,28 @@ double minimum_error() {
   return worst;
 }
 
+/// Largest error of the frequency of exact values of a sin(w t) at 40 times of one unit, for ranges with some thirty
+/// minima, that from the middle of the range are many minima away.
+double frequency_error() {
+  constexpr std::size_t rows = 40;
+  const auto value = [](double a, double w, std::size_t row) {
+    return a * std::sin(w * (static_cast<double>(row) + 1.0) / rows);
+  };
+  double worst = 0.0;
+  for (const double frequency : {4.7, 21.3, 37.3, 71.9, 96.1}) {
+    const FitModel model = [&](const std::vector<double>& p, const std::vector<std::size_t>& of) {
+      std::vector<double> found;
+      for (const std::size_t row : of)
+        found.push_back(value(p[0], p[1], row) - value(2.0, frequency, row));
+      return found;
+    };
+    const Fit found =
+        fit({{0.1, 10.0, 1.0, Spacing::logarithmic}, {1.0, 100.0, 50.5}}, model, {.rows = rows, .samples = 0}, false);
+    keep_largest(worst, found.values[1] / frequency - 1.0);
+  }
+  return worst;
+}
+
 /// Standard error of a parameter p whose logarithm is a slope, y = x ln p, over its closed form: p times that of the
 /// slope, s/sqrt(sum x^2). Largest deviation from 1, with the scatter s given and from the deviations, and with starts
 /// far below and above the fit.
@@ -251,6 +273,11 @@ void check_search(Findings& findings) {
                   Tolerance::round_off(1e-12,
                                        "all deviations are zero there, so that each step of Gauss and Newton "
                                        "squares the error of values of some units"));
+  findings.expect("search: the frequency of an oscillation, whose sum has some thirty minima, largest error",
+                  frequency_error(), 0.0,
+                  Tolerance::round_off(1e-12,
+                                       "all deviations are zero there, as above; another minimum is at least 5 % "
+                                       "away"));
   findings.expect(
       "search: standard error of a parameter whose logarithm is a slope, over its closed form, deviation "
       "from 1",
