@@ -1,5 +1,7 @@
 #include "solver/run/energy_ledger.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -41,10 +43,16 @@ Accounts EnergyLedger::accounts(const Snapshot& snapshot) {
   now.momentum_balance_error = now.momenta.linear - start_momenta_.linear - impulse;
   now.angular_momentum_balance_error =
       now.momenta.angular - start_momenta_.angular - (state.impulse[2] - start_impulse_[2]);
-  largest_energy_balance_error_ = std::max(largest_energy_balance_error_, std::abs(now.energy_balance_error));
+  keep_largest(largest_energy_balance_error_, std::abs(now.energy_balance_error));
   energy_scale_ = std::max({energy_scale_, now.energies.kinetic, std::abs(gravity), std::abs(applied),
                             std::abs(contacts), std::abs(cables)});
   return now;
+}
+
+std::string balance_text(double ratio) {
+  return std::isfinite(ratio)
+             ? fmt::format("the energy balance is off by {:.3g} % of the largest energy", 100.0 * ratio)
+             : "the energies are too large for numbers of the machine, and have no balance";
 }
 
 void Accounts::serialize(Archive& archive) {

@@ -1,11 +1,24 @@
 #pragma once
 
+#include <cmath>
 #include <memory>
+#include <string>
 
 #include "solver/base/archive.hpp"
 #include "solver/run/snapshot.hpp"
 
 namespace talus {
+
+/// Keeps the larger of both in `largest`; returns whether that is the value. NaN counts as the largest, and stays.
+inline bool keep_largest(double& largest, double value) {
+  if (value <= largest || std::isnan(largest)) return false;
+  largest = value;
+  return true;
+}
+
+/// "the energy balance is off by 2 % of the largest energy", for this ratio of both. Energies that exceed the numbers of
+/// the machine have none.
+[[nodiscard]] std::string balance_text(double ratio);
 
 /// Energy and momentum balance of a run at one time: the stored amounts, the losses and the balance errors.
 struct Accounts {
@@ -36,7 +49,7 @@ class EnergyLedger {
   /// Energies of the first state [F L].
   const Energies& start() const { return start_energies_; }
 
-  /// Largest |energy_balance_error| of all balances computed so far [F L].
+  /// Largest |energy_balance_error| of all balances computed so far [F L]; NaN if one of them is.
   double largest_energy_balance_error() const { return largest_energy_balance_error_; }
   /// Reference energy for balance errors [F L]: the largest kinetic energy so far or, if larger, the largest change of
   /// any single other form of energy.

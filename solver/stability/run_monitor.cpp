@@ -269,17 +269,15 @@ void RunMonitor::check_balance(const Snapshot& snapshot, const std::optional<Bal
     now.error = ledger_.accounts(snapshot).energy_balance_error;
     now.scale = ledger_.energy_scale();
   }
-  // NaN counts as the largest.
-  const double error = std::abs(now.error);
-  if (!(error <= balance_.error)) balance_.error = error, drift_time_ = snapshot.state().t;
+  if (keep_largest(balance_.error, std::abs(now.error))) drift_time_ = snapshot.state().t;
   balance_.scale = std::max(balance_.scale, now.scale);
   if (scene_->plan.watch.accuracy == CheckAction::error && !(drift() <= largest_balance_error))
     violation_ = drift_text();
 }
 
 std::string RunMonitor::drift_text() const {
-  return fmt::format("at t = {:.6g} the energy balance is off by {:.3g} % of the largest energy, more than {:g} %",
-                     drift_time_, 100.0 * drift(), 100.0 * largest_balance_error);
+  const std::string text = fmt::format("at t = {:.6g} {}", drift_time_, balance_text(drift()));
+  return std::isfinite(drift()) ? fmt::format("{}, more than {:g} %", text, 100.0 * largest_balance_error) : text;
 }
 
 std::vector<std::string> RunMonitor::warnings() const {

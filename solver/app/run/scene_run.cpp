@@ -138,8 +138,7 @@ RunQuality SceneRun::quality(const Outcome& outcome) const {
     const double scale = ledger->energy_scale();
     found.balance = scale > 0.0 ? ledger->largest_energy_balance_error() / scale : 0.0;
     found.balance_time = watch_.drift_time();
-    if (!(*found.balance <= largest_balance_error))
-      found.flaw = fmt::format("the energy balance is off by {:.3g} % of the largest energy", 100.0 * *found.balance);
+    if (!(*found.balance <= largest_balance_error)) found.flaw = balance_text(*found.balance);
   } else if (watch_.step_is_beyond()) {
     found.flaw = "its step is beyond the linear limit, and no energy balance was kept: " + watch_.step_ratio();
   }

@@ -75,6 +75,18 @@ void check_warnings(const Program& program, Differences& differ) {
     differ.contains("a warning as reason", reason, warning.get<std::string>());
 }
 
+/// A ball whose speed is a number and whose energy is none.
+void check_overflow(const Program& program, Differences& differ) {
+  std::string scene = ball_scene("velocity_verlet");
+  scene.replace(scene.find("\"5 m/s\""), 7, "\"-1e160 m/s\"");
+  program.write("huge.toml", scene);
+  const ProgramEnd ended = program.end({"run", "huge.toml"}, {{"--out", {"huge"}}});
+  differ.compare("exit status without an energy balance", ended.exit_code, 7);
+  const Json quality = program.file("huge/summary.json").at("quality");
+  differ.holds("verdict without an energy balance", !quality.at("usable").get<bool>());
+  differ.contains("flaw without an energy balance", quality.at("flaw").get<std::string>(), "have no balance");
+}
+
 /// Reasons do not depend on the folder, nor on the way to it.
 void check_folders(const Program& program, Differences& differ) {
   const ProgramEnd planned = program.end({"sweep", "plan", "failing.toml"}, {{"--out", {"deep/er"}}});
@@ -112,6 +124,7 @@ void check_failures(const Program& program, Differences& differ) {
   program.write("steps.toml", ball_scene("velocity_verlet"));
   check_rows(program, differ);
   check_warnings(program, differ);
+  check_overflow(program, differ);
   check_folders(program, differ);
   check_limits(program, differ);
 }
