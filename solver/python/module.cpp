@@ -45,9 +45,9 @@ PYBIND11_MODULE(_talus, module) {
   module.doc() = "Discrete-element runs of scenes of rigid bodies, contacts and cables, and of shear cells of discs.";
   module.attr("__version__") = talus::version_number;
   pybind11::register_exception_translator(&translate);
+  bind_run(module);  // before what returns runs, so that its signatures name them
   bind_scene(module);
   bind_cell(module);
-  bind_run(module);
   bind_simulation(module);
   bind_studies(module);
   pybind11::module_::import("atexit").attr("register")(pybind11::cpp_function{&end_computations});

@@ -16,9 +16,11 @@ class Problem(NamedTuple):
 
 
 _lines = re.compile(r"(?P<file>.+?):(?P<line>\d+): (?P<rest>.*)", re.DOTALL)
-# A table with its name or number, and a key; or one of both; or a path in quotes.
-_field = re.compile(r"(?P<field>(?:[a-z_]+ (?:'[^']*'|\d+)(?:: [a-z_][\w.\[\]]*)?)|[a-z_][\w.\[\]]*|'[^']*'): (?P<rest>.*)",
-                    re.DOTALL)
+_key = r"[a-z_][\w.\[\]]*"
+# A table, with its name or number if it has one, and a key; or one of both; or a path in quotes.
+_field = re.compile(rf"(?P<field>(?:[a-z_]+ (?:'[^']*'|\d+)|{_key})(?:: {_key})?|'[^']*'): (?P<rest>.*)", re.DOTALL)
+# An argument: "restitution is 1.6; it must be ...", "integrator 'rk44' is not known; ...".
+_argument = re.compile(r"(?P<field>[a-z_]+) (?:is [-+\d.]|'[^']*' is not known)")
 
 
 def _problem(text, scene):
@@ -30,8 +32,10 @@ def _problem(text, scene):
         text = text[number.end() :] if number else text.lstrip()
     elif place := _lines.fullmatch(text):
         file, line, text = place["file"], int(place["line"]), place["rest"]
-    field = _field.fullmatch(text)
-    return Problem(file, line, field["field"] if field else None, field["rest"] if field else text)
+    if field := _field.fullmatch(text):
+        return Problem(file, line, field["field"], field["rest"])
+    argument = _argument.match(text)
+    return Problem(file, line, argument["field"] if argument else None, text)
 
 
 def _problems(message, scene):

@@ -122,13 +122,23 @@ class Scenes(unittest.TestCase):
         self.assertIsInstance(error, ValueError)
         self.assertIn("ball.toml:8: body 'ball': mass: found", str(error))
 
+    def test_signatures_have_the_names_of_python(self):
+        members = [value for of in vars(talus).values() for value in (of, *getattr(of, "__dict__", {}).values())]
+        documented = [member.__doc__ for member in members if isinstance(getattr(member, "__doc__", None), str)]
+        self.assertGreater(len(documented), 50)
+        self.assertEqual([text for text in documented if "talus::" in text], [])
+
     def test_errors_are_taken_apart(self):
         scene = talus.Scene.parse(BALL)
         for made, problem in (
             (lambda: scene.run(end="x"), (None, None, "end", 'found "x"; it must be a number with a unit, e.g. "1 s"')),
             (lambda: talus.Scene({"units": "SI", "run": {"end": "1 s"}, "title": "x"}),
              ("scene", None, None, "the scene has no body; it needs at least one")),
-            (lambda: scene.run(integrator="verlet"), (None, None, None, unittest.mock.ANY)),
+            (lambda: scene.run(integrator="verlet"), (None, None, "integrator", unittest.mock.ANY)),
+            (lambda: talus.calibrate(restitution=1.6, masses="1 kg", stiffness="1 N/m"),
+             (None, None, "restitution", "restitution is 1.6; it must be in (0, 1]")),
+            (lambda: scene.changed({"run.stepp": "1 s"}),
+             ("scene.toml", unittest.mock.ANY, "run: stepp", unittest.mock.ANY)),
             (lambda: scene.run(end="1e300 s"), (None, None, "run", unittest.mock.ANY)),
             (lambda: scene.changed({"body.bal.mass": "1 kg"}), (None, None, "'body.bal.mass'", unittest.mock.ANY)),
             (lambda: scene.calibrate("impct", restitution=0.5), (None, None, "contact", unittest.mock.ANY)),
