@@ -342,8 +342,9 @@ std::string capacity_csv(const CapacityStudy& study) {
                           interval.low, interval.high, state_names[static_cast<std::size_t>(map.states[at])]);
       for (std::size_t output = 0; output < capacity_outputs.size(); ++output) {
         const std::vector<double> values = map.nodes[at].values(output);
+        const bool has_value = !values.empty() && !has_no_limit(map.nodes[at], output);
         for (const double probability : {0.5, 0.95})
-          text += values.empty()
+          text += !has_value
                       ? ","
                       : fmt::format(",{}", units.of_output(output).of(sample_quantile(values, probability).value));
       }

@@ -316,6 +316,10 @@ void check_margins(const Program& program, Differences& differ) {
     const ProgramEnd end = program.end({"capacity", "margins.toml"}, {{"--no-plots", {}}, {"--out", {folder}}});
     differ.contains("printed margin of the hangers", squeezed(end.output),
                     option.empty() ? "hanger force/limit no limit\n" : "hanger force/limit median 0.");
+    const records::Csv nodes = program.csv(folder + "/capacity.csv");
+    for (std::size_t row = 0; row < nodes.rows(); ++row)
+      differ.compare("a cell without a limit", nodes.cell(row, "fence.hanger_margin.p95 [1]").empty(), option.empty());
+    differ.compare("nodes of margins", nodes.rows() > 0, true);
     return program.file(folder + "/capacity.json").at("hazard").at("outputs");
   };
   const auto largest = [](const Json& quantiles) { return quantiles.at("p95").at("value").get<double>(); };
