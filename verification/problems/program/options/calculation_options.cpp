@@ -386,11 +386,23 @@ void check_other_commands(const Program& program, Differences& differ) {
     differ.contains("200661 pairs without a contact, more than are checked: " + command,
                     run_talus(program.folder(), {command, "discs.toml"}).messages,
                     "more than 200000 pairs of bodies have no contact between them");
-  // A circle, and a rectangle whose corners are as far from its centre.
+  // Outlines whose farthest point is 0.5 m from the centre: a circle, the corners of a rectangle, the longer axis of an
+  // ellipse, and a superellipse of n = 6, whose largest x^2 + y^2 is (a^3 + b^3)^(2/3) by Hoelder's inequality.
+  const auto superellipse = [](int exponent, double half_height) {
+    return fmt::format("kind = \"superquadric\", half_width = \"0.3 m\", half_height = \"{} m\", exponent = {}",
+                       half_height, exponent);
+  };
   const std::string round = "kind = \"circle\", radius = \"0.5 m\"",
-                    plate = "kind = \"rectangle\", half_width = \"0.3 m\", half_height = \"0.4 m\"";
-  for (const auto& [inertia, shape, warns] :
-       {std::tuple{"0.5", round, false}, {"0.51", round, true}, {"0.5", plate, false}, {"0.51", plate, true}}) {
+                    plate = "kind = \"rectangle\", half_width = \"0.3 m\", half_height = \"0.4 m\"",
+                    ellipse = superellipse(2, 0.5), rounded = superellipse(6, std::cbrt(0.125 - 0.027));
+  for (const auto& [inertia, shape, warns] : {std::tuple{"0.5", round, false},
+                                              {"0.51", round, true},
+                                              {"0.5", plate, false},
+                                              {"0.51", plate, true},
+                                              {"0.5", ellipse, false},
+                                              {"0.51", ellipse, true},
+                                              {"0.5", rounded, false},
+                                              {"0.51", rounded, true}}) {
     program.write(
         "hoop.toml",
         fmt::format("units = \"SI\"\n[[body]]\nname = \"hoop\"\nmobility = \"free\"\nmass = \"2 kg\"\n"
