@@ -394,6 +394,45 @@ void check_missing_rock(const TemporaryFolder& folder, const std::string& deck, 
                            "and so does the one that never touched it; sums of squares, in 17 digits"));
 }
 
+/// A light rock that bounces off the fence, one that never reaches it, and one that flies over it, in pairs: the fence
+/// has the verdict of the rock that is worse in this order.
+void check_worst_verdict(const TemporaryFolder& folder, const std::string& deck, Findings& findings,
+                         const Setup& setup) {
+  struct Flight {
+    std::string verdict, printed, position, speed, density;
+  };
+  const std::array flights{Flight{"stopped", "stopped", "2.451 ft", "-65 ft/s", "0.0513 slug/ft^3"},
+                           Flight{"undecided", "undecided at the end", "6 ft", "1 ft/s", "5.13 slug/ft^3"},
+                           Flight{"passed_over", "passed over", "2.6 ft", "-650 ft/s", "5.13 slug/ft^3"}};
+  const std::size_t first = deck.find("[[fence.rock]]"), column = deck.find("[fence.column]");
+  const auto rock = [&](const Flight& of) {
+    std::string text = deck.substr(first, column - first);
+    replace(text, "[\"2.451 ft\", \"0 ft\"]",
+            fmt::format("[\"{}\", \"{} ft\"]", of.position, of.verdict == "passed_over" ? 20 : 0));
+    replace(text, "-65 ft/s", of.speed), replace(text, "5.13 slug/ft^3", of.density);
+    return text;
+  };
+  Differences differences;
+  for (std::size_t i = 0; i < flights.size(); ++i) {
+    for (std::size_t j = 0; j < flights.size(); ++j) {
+      if (i == j) continue;
+      const Flight& worse = flights[setup.has("better_verdict") ? std::min(i, j) : std::max(i, j)];
+      folder.write("pair.toml", deck.substr(0, first) + rock(flights[i]) + rock(flights[j]) + deck.substr(column));
+      const std::string printed =
+          talus_output(folder, {"run", "pair.toml", "--out", "pair", "--integrator", integrator, "--end", "20 ms"});
+      const Json verdict = records::read_json(folder.path() / "pair/summary.json").at("verdict");
+      const std::string name = flights[i].verdict + ", " + flights[j].verdict;
+      differences.compare("first rock: " + name, verdict.at("rocks").at(0).at("verdict"), Json(flights[i].verdict));
+      differences.compare("second rock: " + name, verdict.at("rocks").at(1).at("verdict"), Json(flights[j].verdict));
+      differences.compare("fence: " + name, verdict.at("fence"), Json(worse.verdict));
+      differences.contains("printed: " + name, squeezed(printed), "verdict " + worse.printed + "\n");
+    }
+  }
+  differences.expect_none(findings, "pairs of rocks: verdicts that differ from the paths, or from the worse of both",
+                          "a rock that bounces is stopped, one that never reaches the fence undecided, one that "
+                          "flies over it worse than both");
+}
+
 /// Data of the animation page: outlines of bodies relative to their positions, ends of cables, in six digits.
 void check_player(const TemporaryFolder& folder, Findings& findings, const Setup& setup) {
   (void)talus_output(folder, {"animate", "out"});
@@ -458,6 +497,7 @@ void run(Findings& findings, const Setup& setup) {
   if (setup.needs("history by codes")) check_codes(folder, deck, findings);
   if (setup.needs("blocks: ")) check_blocks(folder, deck, findings);
   if (setup.needs("missing rock")) check_missing_rock(folder, deck, findings);
+  if (setup.needs("pairs of rocks: ")) check_worst_verdict(folder, deck, findings, setup);
   if (!sheet_is_needed) return;
   const Json sheet_json = records::read_json(folder.path() / "out/sheet.json"),
              summary_json = records::read_json(folder.path() / "out/summary.json");
@@ -491,6 +531,8 @@ Case definition() {
                       "first rock alone: listings and members of summary.json that differ"},
                      {"first_rock_alone", "the second rock compared with the history of the first",
                       "sheet: velocities and spins of both rocks, largest error"},
+                     {"better_verdict", "the verdict of the better rock of two",
+                      "pairs of rocks: verdicts that differ from the paths, or from the worse of both"},
                      {"frame_one_late", "frames compared with the next state",
                       "animation: outlines of the bodies, largest error"}},
           .run = run};
