@@ -468,6 +468,27 @@ void check_sides(Findings& findings, const Setup& setup) {
                             1.0, 1e-14, "two dozen operations: c = 2 xi sqrt(k m) with the same k and xi");
 }
 
+/// Checks that rocks of different size side by side have a contact exactly if they are closer than the sum of their
+/// radii, whichever comes first.
+void check_rock_pairs(Findings& findings) {
+  constexpr double small = 0.5, large = 1.5;  // [ft]
+  double wrong = 0.0;
+  for (const auto& [first, second] : {std::pair{small, large}, {large, small}}) {
+    for (const double apart : {0.95 * (small + large), 1.05 * (small + large)}) {
+      scenes::Fence fence = fence_of_today();
+      fence.options.symmetry = FenceSymmetry::full;
+      fence.rocks.push_back(fence.rocks[0]);
+      fence.rocks[0].a = fence.rocks[0].b = first, fence.rocks[1].a = fence.rocks[1].b = second;
+      fence.rocks[1].along = apart;
+      const bool found = find_contact(scenes::fence_scene(fence).scene.model, "rock1-rock2").has_value();
+      wrong += found == (apart < small + large) ? 0.0 : 1.0;
+    }
+  }
+  findings.expect_exact(
+      "pairs of rocks of different size side by side with a wrong or no contact", wrong, 0.0,
+      "discs in parallel planes can touch exactly if the planes are closer than the sum of the radii");
+}
+
 void run(Findings& findings, const Setup& setup) {
   check_hanging(findings, setup);
   check_numbers(findings, setup);
@@ -478,6 +499,7 @@ void run(Findings& findings, const Setup& setup) {
   check_messages(findings);
   check_start(findings, setup);
   check_sides(findings, setup);
+  check_rock_pairs(findings);
   check_outlines(findings);
   check_reach(findings);
   check_warnings(findings);
