@@ -182,8 +182,10 @@ void check(Mobility mobility, Findings& findings, const Setup& setup, Table& tab
 
 /// Checks friction between two free discs: 1/m = 1/m_1 + 1/m_2 + r_1^2/I_1 + r_2^2/I_2 along the tangent, also while
 /// they are apart, for the contact that they will have; and the same for two squares with facing sides.
-void check_friction(bool squares, double gap, Findings& findings) {
-  constexpr double k_s = 180.0, c_s = 2.5;
+/// `follows`: the dashpot is that of the normal law times k_s/k, the default of a scene.
+void check_friction(bool squares, double gap, bool follows, Findings& findings) {
+  constexpr double k_s = 180.0;
+  const double c_s = follows ? damping * k_s / stiffness : 2.5;
   constexpr std::array<double, 2> masses{1.7, 0.6}, inertias{0.45, 0.08}, radii{0.7, 0.4};
   const Vec2 along{std::cos(0.9), std::sin(0.9)};
   SceneBuilder builder;
@@ -199,7 +201,7 @@ void check_friction(bool squares, double gap, Findings& findings) {
     discs[i] = builder.add(body);
   }
   builder.add_contact("touch", discs[0], discs[1], LinearSpringDashpot{stiffness, damping},
-                      CoulombFriction{0.5, k_s, c_s});
+                      follows ? CoulombFriction{0.5, k_s, 0.0, true} : CoulombFriction{0.5, k_s, c_s});
   Scene scene = builder.at_rest("Two discs");
   record_use(scene.model);
   const Dynamics dynamics{scene.model};
@@ -226,10 +228,11 @@ void check_friction(bool squares, double gap, Findings& findings) {
           "rad/s");
       continue;
     }
-    findings.expect({"springs", "frequency of the friction spring between two discs"}, spring.frequency,
+    const std::string dashpot = follows ? ", dashpot that follows from the normal one" : "";
+    findings.expect({"springs", "frequency of the friction spring between two discs" + dashpot}, spring.frequency,
                     std::sqrt(k_s * inverse), rounding, "rad/s");
-    findings.expect({"springs", "damping ratio of the friction spring between two discs"}, spring.damping_ratio,
-                    0.5 * c_s * std::sqrt(inverse / k_s), rounding);
+    findings.expect({"springs", "damping ratio of the friction spring between two discs" + dashpot},
+                    spring.damping_ratio, 0.5 * c_s * std::sqrt(inverse / k_s), rounding);
   }
 }
 
@@ -280,8 +283,9 @@ void check_outer_pin(Findings& findings) {
 void run(Findings& findings, const Setup& setup) {
   check_outer_pin(findings);
   for (const double gap : {0.0, 10.0})
-    check_friction(false, gap, findings);
-  check_friction(true, 10.0, findings);
+    check_friction(false, gap, false, findings);
+  check_friction(false, 0.0, true, findings);
+  check_friction(true, 10.0, false, findings);
   Table table{.name = "masses",
               .caption = "Effective masses [kg] along each cable; slowest and fastest mode [rad/s] with both cables.",
               .columns = {"mobility", "first cable", "second cable", "slowest mode", "fastest mode"}};
