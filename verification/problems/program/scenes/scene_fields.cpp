@@ -25,7 +25,7 @@ using records::Json;
 using records::Node;
 using reference::EndRule;
 
-/// Bodies placed with overlaps, and a cable across the plane: the first row of the history follows from geometry.
+/// Bodies placed with overlaps, and two cables across the plane: the first row of the history follows from geometry.
 const std::string placed = R"(title = "Bodies placed with overlaps"
 units = "SI"
 gravity = ["1.5 m/s^2", "-9.81 m/s^2"]
@@ -185,6 +185,14 @@ stiffness = "150 N/m"
 damping = "2 N s/m"
 rest_length = "8 m"
 slack = "0.3 m"
+[[cable]]
+name = "tether"
+law = "tension_only"
+from = { body = "box", point = ["0.6 m", "-0.3 m", "0.2 m"] }
+to = { body = "plank", point = ["-0.7 m", "0.2 m", "1.1 m"] }
+stiffness = "140 N/m"
+damping = "1 N s/m"
+slack = "0.25 m"
 [run]
 integrator = "velocity_verlet"
 step = "1e-6 s"
@@ -319,6 +327,9 @@ std::map<std::string, double> first_row(const Written& of, const Setup& setup) {
     row["rope.elongation"] = length - of("rope.rest_length") - of("rope.slack");
     row["rope.tension"] =
         of("rope.stiffness") * row["rope.elongation"] + of("rope.damping") * dot(between, relative) / length;
+    // Without a rest length, the cable is as long as the distance of its ends at the start, and its slack.
+    row["tether.elongation"] = -of("tether.slack");
+    row["tether.tension"] = 0.0;
     row["energy.cables"] = 0.5 * of("rope.stiffness") * row["rope.elongation"] * row["rope.elongation"];
   }
   return row;
