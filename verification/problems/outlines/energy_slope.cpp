@@ -189,9 +189,40 @@ void check_slopes(Findings& findings, const Setup& setup) {
   findings.table(table);
 }
 
+/// Compares the force of one node of a disc in a disc of radius 1, by the rule of the smoother outline, with the closed
+/// form. The node lies `depth` below the other disc; its normal is turned by `angle` from that of the other disc there.
+void check_smoother(Findings& findings) {
+  constexpr double depth = 0.01, turned = 0.4;
+  double worst = 0.0;
+  for (const double radius : {1.2, 0.8}) {
+    Model model = pair_model({"", Circle{radius}, Circle{1.0}, ContactMethod::nodes, NodeDepth::smoother}, stiffness);
+    model.contacts.front().nodes = {3, 3};  // the others are outside
+    record_use(model);
+    Potential potential{model};
+    for (const double degrees : {0.0, 30.0, -50.0, 62.0}) {
+      const double angle = degrees * std::numbers::pi / 180.0;
+      const Vec2 radial = rotation(turned) * Vec2{1.0, 0.0}, across = rotation(turned + angle) * Vec2{1.0, 0.0};
+      const Vec2 node = (1.0 - depth) * radial, centre = node + radius * across;
+      State state = rest_state(model);
+      // The first node of a disc is on its x axis. The nearest nodes of the other disc are 60 degrees off the centres.
+      state.q = {centre.x, centre.y, turned + angle + std::numbers::pi,
+                 0.0,      0.0,      std::atan2(centre.y, centre.x) + std::numbers::pi / 3.0};
+      potential.evaluate(state);
+      const bool is_node_normal = radius > 1.0 && std::abs(degrees) <= 60.0;
+      const Vec2 push = is_node_normal ? stiffness * depth / std::cos(angle) * across : stiffness * depth * radial;
+      const std::vector<double> exact{push.x, push.y, cross(node - centre, push), -push.x, -push.y, -cross(node, push)};
+      keep_worst(worst, worst_error(potential.forces(state), exact) / (stiffness * depth));
+    }
+  }
+  findings.expect_round_off(
+      {"smoother", "force and moment of a node by the rule of the smoother outline, largest error over k d"}, worst,
+      0.0, 1e-12, "positions of up to 2 are rounded to 2e-16, 2e-14 of the overlap; some twenty operations");
+}
+
 void run(Findings& findings, const Setup& setup) {
   check_slopes(findings, setup);
   check_loops(findings, setup);
+  check_smoother(findings);
 }
 
 }  // namespace
