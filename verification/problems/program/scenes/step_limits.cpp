@@ -412,7 +412,7 @@ void run(Findings& findings, const Setup& setup) {
   findings.expect_between(
       "growth in 400 steps: at 1.01 of the limit, minimum, in powers of ten", std::log10(unstable), 2.0, 9.0,
       "linear motion would grow without bound; bodies that lose contact or slip end the growth, measured at no less "
-      "than 1.2e3 times the disturbance. Below the limit the growth stays under 12.3");
+      "than 1.6e4 times the disturbance. Below the limit the growth stays under 12.3");
   findings.expect("step of `talus run --step auto` over its closed form: largest deviation from 1",
                   automatic_step_error(folder, scenes.back(), methods.front()), 0.0,
                   Tolerance::round_off(1e-8,
