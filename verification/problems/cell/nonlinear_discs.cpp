@@ -305,12 +305,41 @@ void check_speeds(Findings& findings, const Setup& setup) {
       "accuracy to which solver and references integrate, and to which the solver finds the dashpot of a restitution");
 }
 
+/// Stiffnesses of a cell by Hertz and Mindlin at the larger of two overlaps: of an impact at the nominal speed, which
+/// stores m v^2/2 = 8/15 E sqrt(R) d^(5/2), and of a disc below the block, 8 kPa on the square of its diameter.
+void check_stiffnesses(Findings& findings, const Setup& setup) {
+  constexpr double shear_modulus = 3e8, m = 3.6e-7, load = 8e3 * 1e-6;
+  double secant = 0.0, tangent = 0.0;
+  for (const double speed : {0.8, 0.02}) {
+    const ShearCell cell =
+        cell_of(hertz_text + fmt::format("damping = \"0 N s/m\"\nimpact_speed = \"{} m/s\"\nfriction = 0.5\n"
+                                         "shear_law = \"mindlin\"\nshear_modulus = \"{} Pa\"\n",
+                                         speed, shear_modulus));
+    const double by_weight = std::pow(0.75 * load / (cell_modulus * std::sqrt(cell_radius)), 2.0 / 3.0),
+                 by_impact = std::pow(15.0 / 16.0 * m * speed * speed / (cell_modulus * std::sqrt(cell_radius)), 0.4);
+    const double overlap = setup.has("weight_alone") ? by_weight : std::max(by_weight, by_impact);
+    const double root = std::sqrt(cell_radius * overlap);
+    keep_worst(secant, cell.stiffness() / (4.0 / 3.0 * cell_modulus * root) - 1.0);
+    keep_worst(secant, cell.shear_stiffness() / (8.0 * shear_modulus * root) - 1.0);
+    keep_worst(tangent, cell.largest_stiffness() / (2.0 * cell_modulus * root) - 1.0);
+  }
+  findings.expect_round_off(
+      {"stiffnesses/secant",
+       "stiffness of a cell by weight and by impact, normal and tangential, largest relative error"},
+      secant, 0.0, 1e-13, "powers of some ten roundings; the overlap of the weight is found by bisection to 1e-21 m");
+  findings.expect_truncation(
+      {"stiffnesses/tangent", "largest stiffness of a cell by weight and by impact, relative error"}, tangent, 0.0,
+      std::pow(0.5, 28) / 24.0, 1.5,
+      "a difference quotient of d^(3/2) over 2^-14 of d on both sides: the third derivative");
+}
+
 void run(Findings& findings, const Setup& setup) {
   if (setup.needs("restitution of two discs") || setup.needs("largest overlap") || setup.needs("order of"))
     check_impacts(findings, setup);
   if (setup.needs("less rigid bodies")) check_engines(findings, setup);
   if (setup.needs("of a cell, ") || setup.needs("of a cell over")) check_cells(findings, setup);
   if (setup.needs("nominal speed")) check_speeds(findings, setup);
+  if (setup.needs("by weight and by impact")) check_stiffnesses(findings, setup);
 }
 
 }  // namespace
@@ -320,11 +349,11 @@ Case definition() {
                     motion = "motion of two discs, fast disc engine less rigid bodies",
                     stored = "energy stored in contacts of a cell, hertz, tsuji, less that of the formula",
                     balance = "energy balance error of a cell over the energy dissipated, hertz, tsuji",
-                    at_speed = "nominal_speed";
+                    at_speed = "nominal_speed", at_overlap = "stiffnesses/secant";
   return {.id = "nonlinear_discs",
           .title = "Hertz and Hunt-Crossley contacts of discs",
           .family = "the shear cell",
-          .requirements = {{"law.hertz", {hertz, "orders", motion, "cells", at_speed}},
+          .requirements = {{"law.hertz", {hertz, "orders", motion, "cells", at_speed, "stiffnesses"}},
                            {"law.hunt_crossley", {hunt_crossley, "orders", motion, "cells", at_speed}}},
           .main_checks = {hertz, hunt_crossley, motion, stored, balance, at_speed},
           .source = "Hertz 1882; Hunt & Crossley 1975; Tsuji, Tanaka & Ishida 1992; Antypov & Elliott 2011",
@@ -333,7 +362,8 @@ Case definition() {
                      {"exponent", "exponent 1.6 for 1.5 in rigid bodies", motion},
                      {"energy_of_a_linear_spring", "stored energy of half the force times the overlap", stored},
                      {"dissipation_not_booked", "a tenth of the dissipation omitted", balance},
-                     {"speed_of_the_block", "impacts at the speed of the block", at_speed}},
+                     {"speed_of_the_block", "impacts at the speed of the block", at_speed},
+                     {"weight_alone", "the overlap of the weight where an impact overlaps further", at_overlap}},
           .run = run};
 }
 
