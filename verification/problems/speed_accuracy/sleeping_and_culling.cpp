@@ -330,6 +330,46 @@ void check_length(Findings& findings, const Setup& setup, Table& table) {
   findings.figure(figure);
 }
 
+/// Checks that a moment on the columns, of which their cables feel nothing at the start, wakes all of them at once: they
+/// turn by M t/I in any mode of sleep, with the same bits.
+void check_turning(Findings& findings, const Setup& setup) {
+  constexpr double moment = 200.0, step = 2e-6;  // [lb ft], [s]
+  constexpr long count = 100;
+  scenes::Fence fence = published_fence("table_2.DAT");
+  fence.rocks[0].position.x += 1.0;  // it touches nothing
+  fence.column.moment = setup.has("moment_left_out") ? 0.0 : moment;
+  const auto& [a, b, density] = std::tie(fence.column.a, fence.column.b, fence.column.density);
+  const double inertia = 2.0 * std::numbers::pi * a * a * b * density * (3.0 * a * a + 4.0 * b * b) / 12.0;
+  const double time = count * step;
+  double spin = 0.0, bits = 0.0, columns = 0.0, tension = 0.0;
+  std::optional<State> without_sleep;
+  for (const Sleep sleep : {Sleep::off, Sleep::exact, Sleep::on}) {
+    fence.options.sleep = sleep;
+    const scenes::FenceScene made = scenes::fence_scene(fence);
+    const Model& model = made.scene.model;
+    const State state = run_steps(made.scene, VelocityVerlet{}, step, count, findings).state;
+    for (std::size_t body = 0; body < model.bodies.size(); ++body) {
+      if (model.bodies[body].name.find("column") == std::string::npos) continue;
+      columns += 1.0;
+      keep_worst(spin, pose(model, state, static_cast<BodyId>(body)).w_WB * inertia / (moment * time) - 1.0);
+    }
+    if (!without_sleep) without_sleep = state;
+    for (std::size_t i = 0; i < state.v.size(); ++i)
+      keep_worst(bits, worst_of({state.q[i] - without_sleep->q[i], state.v[i] - without_sleep->v[i]}));
+    tension = made.horizontal_tension;
+  }
+  const double restoring = 2.0 * tension * fence.y_top * fence.y_top / (fence.spacing * inertia);
+  findings.expect_truncation(
+      {"turned_columns", "sleeping columns with a moment: spin after 100 steps over M t/I, largest relative error"},
+      spin, 0.0, restoring * time * time / 6.0, 1.0,
+      "the pull of two segments at the joint turns a column back by at most w^2 = 2 T y^2/(l I) times its angle, if "
+      "its neighbours stood still");
+  findings.expect_exact("sleeping columns with a moment: state against the run without sleep, largest difference", bits,
+                        0.0, "all columns are awake from the first step");
+  findings.expect_exact("sleeping columns with a moment: columns compared", columns, 21.0,
+                        "seven of thirteen in a half model, with three modes of sleep");
+}
+
 /// Moves one column at a time and checks that the guards of its cables, at any position in the row, equal those
 /// computed without omissions.
 void check_guards(Findings& findings, const Setup& setup) {
@@ -387,6 +427,7 @@ void run(Findings& findings, const Setup& setup) {
                   "Without sleep a fence evaluates all its columns; half of a fence is modelled.",
               .columns = {"what", "in the scene", "evaluated", "change of the result"}};
   if (setup.needs("sleep exact") || setup.needs("sleep by default")) check_sleep(findings, setup, table);
+  if (setup.needs("with a moment")) check_turning(findings, setup);
   if (setup.needs("columns awake")) check_length(findings, setup, table);
   if (setup.needs("with every pair") || setup.needs("with every guard")) check_contacts(findings, setup, table);
   if (setup.needs("tensions of rows") || setup.needs("without ledger")) check_rows(findings, setup, table);
@@ -413,6 +454,7 @@ Case definition() {
       .source = "Verlet 1967 and Baraff 1992 for the contact search",
       .faults = {{"default_for_exact", "the default threshold where `exact` is required", "exact_sleep"},
                  {"never_asleep", "a fence that never sleeps", "awake_columns"},
+                 {"moment_left_out", "columns without their moment", "turned_columns"},
                  {"pair_forgotten", "one pair of the yard never found",
                   "yard: state at the end against the run with every pair, largest difference"},
                  {"no_time_ahead", "located events without the guards of inactive modes",
