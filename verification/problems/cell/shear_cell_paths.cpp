@@ -227,13 +227,23 @@ void expect_jump(Findings& findings, const Setup& setup) {
     step_by_step.advance();
     keep_largest(fastest, step_by_step.discs().vy.back());
   }
-  run_to_end(step_by_step), run_to_end(jumping);
+  run_to_end(step_by_step);
+  while (2 * jumping.steps() < jumping.last_step())
+    jumping.advance();
+  const long jumped_before = jumping.jumped();
+  CellRun resumed{cell, plan};
+  resume(jumping, resumed);
   const Discs end = step_by_step.discs();
   findings.expect_round_off(
       {"jumps", "positions with jumps over contact-free time, largest difference over a diameter"},
       apart(jumping.discs(), end.x, end.y, cell.width()) / cell.diameter, 0.0, 1e-9,
       "free flights of thousands of steps, at once and step by step, are rounded to 1e-13, which grows over the "
       "contacts of 500 contact times");
+  findings.expect_exact("steps skipped by jumps, resumed run less uninterrupted run",
+                        jumped_before > 0 && jumping.jumped() > jumped_before && resumed.discs() == jumping.discs()
+                            ? static_cast<double>(resumed.jumped() - jumping.jumped())
+                            : NAN,
+                        0.0, "the sum of both parts, in each of which there are jumps, with the same motion");
   const double depth = step_by_step.mean(CellQuantity::depth).value;
   findings.expect_truncation("mean depth with jumps over contact-free time, over that with single steps",
                              jumping.mean(CellQuantity::depth).value / depth, 1.0, 0.5 * plan.step * fastest / depth,
