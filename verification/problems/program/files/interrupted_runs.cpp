@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <set>
 #include <string>
+#include <utility>
 
 #include "verification/record/json_node.hpp"
 #include "verification/record/whole_file.hpp"
@@ -48,16 +49,30 @@ end = "0.6 s"
 watch = { quality = "warning" }
 )";
 
+/// summary.json of the scene run at once, and interrupted at 0.52 s, after the rebound, and resumed.
+std::pair<Json, Json> summaries(const TemporaryFolder& folder, const std::string& name, const std::string& scene) {
+  const std::string halves = name + "_halves";
+  folder.write(name + ".toml", scene);
+  (void)talus_output(folder, {"run", name + ".toml", "--out", name});
+  (void)talus_output(folder, {"run", name + ".toml", "--out", halves, "--until", "0.52 s"});
+  (void)talus_output(folder, {"run", "--resume", halves});
+  const auto summary = [&](const std::string& out) { return records::read_json(folder.path() / out / "summary.json"); };
+  return {summary(name), summary(halves)};
+}
+
 }  // namespace
 
 double different_warnings(const TemporaryFolder& folder) {
-  folder.write("warned.toml", warned);
-  (void)talus_output(folder, {"run", "warned.toml", "--out", "warned"});
-  (void)talus_output(folder, {"run", "warned.toml", "--out", "warned_halves", "--until", "0.52 s"});
-  (void)talus_output(folder, {"run", "--resume", "warned_halves"});
-  const auto summary = [&](const char* out) { return records::read_json(folder.path() / out / "summary.json"); };
-  const Json whole = summary("warned");
-  return whole.at("warnings").size() == 3 && summary("warned_halves") == whole ? 0.0 : 1.0;
+  const auto [whole, resumed] = summaries(folder, "warned", warned);
+  return whole.at("warnings").size() == 3 && resumed == whole ? 0.0 : 1.0;
+}
+
+double different_events(const TemporaryFolder& folder) {
+  std::string located = warned;
+  const std::string method = "velocity_verlet";
+  located.replace(located.find(method), method.size(), "stormer_cowell");
+  const auto [whole, resumed] = summaries(folder, "located", located);
+  return whole.at("events") == 2 && resumed == whole ? 0.0 : 1.0;
 }
 
 double different_fence_files(const TemporaryFolder& folder) {
