@@ -324,6 +324,23 @@ void check_worst_named(const Program& program, Differences& differ) {
                                     "end = \"1 ms\"\n");
   differ.contains("overlap of crossed bars", run_talus(program.folder(), {"check", "crossed.toml"}).messages,
                   "warning: contact 'upright-level' overlaps by 0.8 m at the start");
+  // A corner of a square that stands on it, in the side of a post: the side of either outline, first or second, counts.
+  const std::string post =
+      "[[body]]\nname = \"post\"\nmobility = \"fixed\"\nposition = [\"0 m\", \"0 m\"]\n"
+      "shape = { kind = \"rectangle\", half_width = \"0.1 m\", half_height = \"1 m\" }\n";
+  const std::string square = fmt::format(
+      "[[body]]\nname = \"square\"\nmobility = \"free\"\nmass = \"2 kg\"\ninertia = \"0.1 kg m^2\"\n"
+      "position = [\"{} m\", \"0.4 m\"]\nangle = \"45 deg\"\n"
+      "shape = {{ kind = \"rectangle\", half_width = \"0.3 m\", half_height = \"0.3 m\" }}\n",
+      0.1 + 0.3 * std::numbers::sqrt2 - 0.04);
+  for (const auto& [one, other] : {std::pair{"post", "square"}, {"square", "post"}}) {
+    program.write("corner.toml", "units = \"SI\"\n" + post + square + touching(one, other) +
+                                     "method = \"nodes\"\n[run]\nintegrator = \"rk4\"\nstep = \"1 ms\"\n"
+                                     "end = \"1 ms\"\n");
+    differ.contains(fmt::format("overlap of {} and {}", one, other),
+                    run_talus(program.folder(), {"check", "corner.toml"}).messages,
+                    fmt::format("warning: contact '{}-{}' overlaps by 0.04 m at the start", one, other));
+  }
 }
 
 void check_other_commands(const Program& program, Differences& differ) {
