@@ -330,8 +330,8 @@ void check_length(Findings& findings, const Setup& setup, Table& table) {
   findings.figure(figure);
 }
 
-/// Checks that a moment on the columns, of which their cables feel nothing at the start, wakes all of them at once: they
-/// turn by M t/I in any mode of sleep, with the same bits.
+/// Checks that a moment on the columns, which at first changes no cable force, wakes all of them at once: they turn at
+/// the rate M t/I in any mode of sleep, with the same bits.
 void check_turning(Findings& findings, const Setup& setup) {
   constexpr double moment = 200.0, step = 2e-6;  // [lb ft], [s]
   constexpr long count = 100;

@@ -9,8 +9,8 @@ namespace talus::verification::problems::run_files {
 /// balance error is largest before the interruption, and the discs overlap before and after it.
 [[nodiscard]] double different_warnings(const TemporaryFolder& folder);
 
-/// 0 if the summary of a run by located events that is interrupted after a rebound is that of an uninterrupted one, with
-/// two events, the touch and the separation; otherwise 1.
+/// 0 if the summary of a run by located events that is interrupted after a rebound is that of an uninterrupted one,
+/// with two events, the touch and the separation; otherwise 1.
 [[nodiscard]] double different_events(const TemporaryFolder& folder);
 
 /// Number of files of a fence's run that differ from those of an interrupted one, or that only one of both has. Its

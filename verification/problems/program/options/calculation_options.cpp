@@ -324,7 +324,7 @@ void check_worst_named(const Program& program, Differences& differ) {
                                     "end = \"1 ms\"\n");
   differ.contains("overlap of crossed bars", run_talus(program.folder(), {"check", "crossed.toml"}).messages,
                   "warning: contact 'upright-level' overlaps by 0.8 m at the start");
-  // A corner of a square that stands on it, in the side of a post: the side of either outline, first or second, counts.
+  // A square, turned by 45 degrees, with a corner in the side of a post: the side normals of both outlines are needed.
   const std::string post =
       "[[body]]\nname = \"post\"\nmobility = \"fixed\"\nposition = [\"0 m\", \"0 m\"]\n"
       "shape = { kind = \"rectangle\", half_width = \"0.1 m\", half_height = \"1 m\" }\n";
