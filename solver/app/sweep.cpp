@@ -143,16 +143,14 @@ int plan(const SweepOptions& options) {
   sweep.folder = options.folder.empty() ? file.stem() : fs::path{options.folder};
   sweep.title = described.title;
   sweep.outputs = described.outputs, sweep.limits = described.limits;
-  sweep.base_text = base_text(described.base, file.string() + ": base");
+  sweep.base_text = base_text(described.base, described.place_of_base());
   const std::string base_name = is_deck(described.base) ? "base.toml" : described.base.string();
   SweepBase base{parse_toml(sweep.base_text, base_name), base_name};
-  base.choose(sweep.outputs, file.string() + ": outputs");
+  base.choose(sweep.outputs, described.place_of_outputs());
   SweptRuns made = of_file(file, [&] { return swept_runs(described); });
   sweep.runs = std::move(made.runs);
-  of_file(file, [&] {
-    check_fields(base.document(), sweep.runs.front());
-    base.demand_whole(described, sweep.runs.front());
-  });
+  base.check_axes(described, sweep.runs.front());
+  of_file(file, [&] { check_fields(base.document(), sweep.runs.front()); });
   const std::vector<Sample> samples = samples_of(sweep, base);
   if (std::ranges::all_of(samples, [](const Sample& of) { return of.result.end == SweepEnd::refused; })) {
     throw InputError{fmt::format("{}: run {} is refused, as are all that were tried: {}", file.string(),

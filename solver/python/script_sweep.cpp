@@ -26,17 +26,17 @@ std::variant<ScriptScene, ScriptCell> base_of(TomlValue document, const std::str
 
 PlannedSweep plan_sweep(const std::string& file) {
   app::SweepFile described = app::read_sweep(read_text(file), file);
+  const std::string name = described.base.string();
+  TomlValue document = of_scene(name, [&] { return parse_toml(script_text(name, described.place_of_base()), name); });
   try {
-    const std::string name = described.base.string();
-    TomlValue document = of_scene(name, [&] { return parse_toml(script_text(name, file + ": base"), name); });
-    std::vector<app::SweptRun> runs = app::swept_runs(described).runs;
-    app::check_fields(document, runs.front());
-    app::SweepBase{document, name}.demand_whole(described, runs.front());
+    std::vector<app::SweptRun> runs = app::of_file(file, [&] { return app::swept_runs(described).runs; });
+    app::SweepBase{document, name}.check_axes(described, runs.front());
+    app::of_file(file, [&] { app::check_fields(document, runs.front()); });
     return {base_of(std::move(document), name), std::move(runs), std::move(described.outputs), described.limits};
   } catch (const SceneInputError&) {
     throw;
   } catch (const InputError& error) {
-    throw SceneInputError{fmt::format("{}: {}", file, error.what()), file};
+    throw SceneInputError{error.what(), file};
   }
 }
 

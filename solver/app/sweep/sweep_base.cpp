@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <utility>
 
+#include "solver/app/sweep/sweep_runs.hpp"
 #include "solver/base/error.hpp"
 #include "solver/io/cell/read_cell.hpp"
 #include "solver/io/fence1993/read_deck.hpp"
@@ -58,9 +60,17 @@ bool SweepBase::is_fence() const {
   return scene != nullptr && scene->is_fence();
 }
 
-void SweepBase::demand_whole(const SweepFile& sweep, const SweptRun& run) const {
+void SweepBase::check_axes(const SweepFile& sweep, const SweptRun& run) const {
   for (std::size_t i = 0; i < sweep.axes.size(); ++i) {
     const SweepAxis& axis = sweep.axes[i];
+    SweptRun of_axis;
+    for (const auto& parameter : run.parameters)
+      if (std::ranges::find(axis.fields, parameter.first) != axis.fields.end()) of_axis.parameters.push_back(parameter);
+    try {
+      check_fields(document(), of_axis);
+    } catch (const InputError& error) {
+      throw InputError{fmt::format("{}: {}", sweep.place_of_axis(i), error.what())};
+    }
     if (!axis.continuous || !axis.continuous->whole) continue;
     const std::string& field = axis.fields.front();
     SweptRun changed = run;
@@ -72,9 +82,9 @@ void SweepBase::demand_whole(const SweepFile& sweep, const SweptRun& run) const 
       continue;  // as of a field of whole numbers
     }
     throw InputError{
-        fmt::format("axis {}: range: found whole numbers for '{}', which takes others, too; write them with decimals, "
+        fmt::format("{}: range: found whole numbers for '{}', which takes others, too; write them with decimals, "
                     "e.g. [0.0, 1.0], or give `values`",
-                    i + 1, field)};
+                    sweep.place_of_axis(i), field)};
   }
 }
 

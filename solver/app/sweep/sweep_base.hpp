@@ -29,9 +29,9 @@ class SweepBase {
   const UnitSystem& units() const;
   bool is_fence() const;
 
-  /// Errors: InputError for an axis of whole numbers whose field takes other numbers, too, in this run. Of such a field
-  /// `range = [0, 1]` hardly means two values.
-  void demand_whole(const SweepFile& sweep, const SweptRun& run) const;
+  /// Errors: InputError for an axis whose field the base does not have, or of whole numbers whose field takes other
+  /// numbers, too, in this run: of such a field `range = [0, 1]` hardly means two values.
+  void check_axes(const SweepFile& sweep, const SweptRun& run) const;
 
   /// Time at which a run is planned to end [T]. Errors: InputError for a wrong field or value.
   [[nodiscard]] double end(const SweptRun& run) const;

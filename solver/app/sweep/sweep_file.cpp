@@ -126,6 +126,7 @@ TomlValue number_of_cell(const records::Csv& csv, std::size_t row, std::size_t c
 /// The columns of a CSV file that give fields, as axis of rows.
 SweepAxis read_rows(SceneTable& table, const fs::path& folder) {
   SweepAxis axis;
+  axis.line = table.line();
   const fs::path file = folder / table.file_name("table");
   const TomlValue* const written = table.value("columns");
   const TomlTable* const fields = written == nullptr ? nullptr : std::get_if<TomlTable>(&written->data);
@@ -157,7 +158,7 @@ SweepAxis read_rows(SceneTable& table, const fs::path& folder) {
       }
     }
   } catch (const records::FileError& error) {
-    throw IoError{fmt::format("{}: axis: table: {}", table.source().file, error.what())};
+    throw IoError{fmt::format("{}:{}: axis: table: {}", table.source().file, table.line(), error.what())};
   } catch (const records::RecordError& error) {
     throw InputError{error.what()};
   }
@@ -174,6 +175,7 @@ SweepAxis read_axis(SceneTable& table, const fs::path& folder) {
   }
   table.refuse("columns", "it names columns of a table; give `table`, too");
   SweepAxis axis;
+  axis.line = table.line();
   axis.fields.push_back(table.text("field"));
   const TomlValue *values = table.value("values"), *range = table.value("range"), *quantiles = table.value("quantiles");
   if ((values != nullptr) + (range != nullptr) + (quantiles != nullptr) != 1)
@@ -201,7 +203,8 @@ SweepAxis read_axis(SceneTable& table, const fs::path& folder) {
   if (table.has("count")) made.count = table.whole_between("count", 2, maximum_runs);
   if (const double numbers = made.quantiles.back().second - made.quantiles.front().second + 1.0;
       made.whole && static_cast<double>(made.count) > numbers)
-    table.fail("count", fmt::format("found {}; there are {} whole numbers in the range; give at most as many",
+    table.fail("count", fmt::format("found {}; there are {} whole numbers in the range; give at most as many, or "
+                                    "write the range with decimals, e.g. [0.0, 1.0]",
                                     made.count, numbers));
   return axis;
 }
@@ -237,7 +240,9 @@ SweepConstraint read_constraint(SceneTable& table, const std::set<std::string>& 
 
 void read_design(SceneTable table, SweepFile& sweep) {
   table.allow({"kind", "runs", "seed"});
+  const std::size_t errors = table.source().errors();
   sweep.design.kind = table.choice_or("kind", DesignKind::grid);
+  if (table.source().errors() > errors) return;
   if (sweep.design.kind == DesignKind::grid) {
     for (const char* other : {"runs", "seed"})
       table.refuse(other, "a grid has every combination of the axes' points; remove it");
@@ -343,6 +348,14 @@ WrittenNumber written_number(const TomlValue& value) {
   return made;
 }
 
+std::string SweepFile::place_of_axis(std::size_t axis) const {
+  return fmt::format("{}:{}: axis {}", file, axes[axis].line, axis + 1);
+}
+
+std::string SweepFile::place_of_outputs() const { return fmt::format("{}:{}: outputs", file, outputs_line); }
+
+std::string SweepFile::place_of_base() const { return fmt::format("{}:{}: base", file, base_line); }
+
 SweepFile read_sweep(std::string_view text, const fs::path& name) {
   const TomlValue document = parse_toml(text, name.string());
   SceneSource source{name.string(), si};
@@ -352,9 +365,12 @@ SweepFile read_sweep(std::string_view text, const fs::path& name) {
   source.collect();
   try {
     file.allow({"title", "base", "outputs", "axis", "design", "constraint", "limits"});
+    sweep.file = name.string();
     sweep.title = file.title();
     sweep.base = folder / file.file_name("base");
+    if (const TomlValue* const base = file.value("base")) sweep.base_line = base->line;
     const TomlValue* const outputs = file.value("outputs");
+    if (outputs != nullptr) sweep.outputs_line = outputs->line;
     if (outputs == nullptr) file.fail("outputs", "it is missing; give quantities, e.g. [\"rock.vx.end\"]");
     for (const TomlValue& output : array_of(file, "outputs", *outputs, 1, "texts, e.g. [\"rock.vx.end\"]")) {
       const auto* quantity = std::get_if<std::string>(&output.data);
@@ -368,7 +384,8 @@ SweepFile read_sweep(std::string_view text, const fs::path& name) {
     if (axes.empty()) file.fail("axis", "it is missing; give at least one [[axis]]");
     for (SceneTable& table : axes)
       sweep.axes.push_back(read_axis(table, folder));
-    check_axes(file, sweep, axes);
+    // Of other errors they could be the consequence.
+    if (source.errors() == 0) check_axes(file, sweep, axes);
     std::set<std::string> varied;
     for (const SweepAxis& axis : sweep.axes)
       varied.insert(axis.fields.begin(), axis.fields.end());

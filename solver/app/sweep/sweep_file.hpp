@@ -41,6 +41,7 @@ struct Continuous {
 
 /// What is varied: one field, or several together.
 struct SweepAxis {
+  int line{};                       ///< of the file, counted from 1
   std::vector<std::string> fields;  ///< paths to fields of the base
   /// Values of these fields, one row for each point; empty for a continuous axis.
   std::vector<std::vector<TomlValue>> rows;
@@ -77,6 +78,8 @@ struct SweepLimits {
 
 /// A sweep as its file describes it.
 struct SweepFile {
+  std::string file;  ///< as named in messages
+  int base_line{}, outputs_line{};
   std::string title;
   std::filesystem::path base;  ///< scene or deck, relative to the current folder
   std::vector<std::string> outputs;
@@ -84,6 +87,12 @@ struct SweepFile {
   Design design;
   std::vector<SweepConstraint> constraints;
   SweepLimits limits;
+
+  /// "rock.toml:7: axis 1", at the beginning of messages.
+  [[nodiscard]] std::string place_of_axis(std::size_t axis) const;
+  /// "rock.toml:3: outputs".
+  [[nodiscard]] std::string place_of_outputs() const;
+  [[nodiscard]] std::string place_of_base() const;
 };
 
 /// Reads a sweep, TOML; `name` is the file named in errors, and files that it names are relative to its folder. Errors:

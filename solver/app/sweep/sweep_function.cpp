@@ -41,22 +41,22 @@ std::vector<SweepInput> inputs_of(const SweepFile& sweep) {
   return inputs;
 }
 
-SweepBase base_of(const SweepFile& sweep, const std::filesystem::path& file) {
+SweepBase base_of(const SweepFile& sweep) {
   const std::string name = sweep.base.string();
-  SweepBase base{parse_toml(base_text(sweep.base, file.string() + ": base"), name), name};
-  base.choose(sweep.outputs, file.string() + ": outputs");
+  SweepBase base{parse_toml(base_text(sweep.base, sweep.place_of_base()), name), name};
+  base.choose(sweep.outputs, sweep.place_of_outputs());
   return base;
 }
 
 }  // namespace
 
 SweepFunction::SweepFunction(const std::filesystem::path& file)
-    : sweep_{read_sweep(read_text(file), file)}, base_{base_of(sweep_, file)}, inputs_{of_file(file, [&] {
+    : sweep_{read_sweep(read_text(file), file)}, base_{base_of(sweep_)}, inputs_{of_file(file, [&] {
         return inputs_of(sweep_);
       })} {
+  SweptRun first;
   of_file(file, [&] {
     if (inputs_.empty()) throw InputError{"axis: all have one point; give one with a range or several values"};
-    SweptRun first;
     for (const SweepAxis& axis : sweep_.axes) {
       for (std::size_t field = 0; field < axis.fields.size(); ++field) {
         first.parameters.emplace_back(axis.fields[field],
@@ -64,9 +64,9 @@ SweepFunction::SweepFunction(const std::filesystem::path& file)
         if (axis.rows.size() == 1) fixed_.parameters.push_back(first.parameters.back());
       }
     }
-    check_fields(base_.document(), first);
-    base_.demand_whole(sweep_, first);
   });
+  base_.check_axes(sweep_, first);
+  of_file(file, [&] { check_fields(base_.document(), first); });
 }
 
 std::string SweepFunction::unit(const SweepOutput& output) const {

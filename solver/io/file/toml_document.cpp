@@ -88,7 +88,11 @@ void refuse_long_keys(std::string_view text, std::string_view name) {
 
 std::string found(const TomlValue& value) {
   if (const auto* text = std::get_if<std::string>(&value.data)) return fmt::format("\"{}\"", *text);
-  if (const auto* number = std::get_if<double>(&value.data)) return fmt::format("{}", *number);
+  if (const auto* number = std::get_if<double>(&value.data)) {
+    // As it is written, so that 11.0 is not called a wrong whole number 11.
+    const std::string text = fmt::format("{}", *number);
+    return text.find_first_not_of("-0123456789") == std::string::npos ? text + ".0" : text;
+  }
   if (const auto* whole = std::get_if<std::int64_t>(&value.data)) return fmt::format("{}", *whole);
   if (const auto* flag = std::get_if<bool>(&value.data)) return *flag ? "true" : "false";
   if (const auto* array = std::get_if<TomlArray>(&value.data)) {

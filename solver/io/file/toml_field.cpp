@@ -108,9 +108,9 @@ TomlValue& field_at(TomlValue& document, std::string_view path) {
         throw InputError{fmt::format("'{}': {}", path, unknown_name("field", key.key, keys_of(*table)).what())};
       if (key.index)
         throw InputError{
-            fmt::format("'{}': the base has no '{}', of which an element could be set; write it there, or give "
-                        "one of: {}",
-                        path, key.key, fmt::join(keys_of(*table), ", "))};
+            fmt::format("'{}': the base has no '{}', of which an element could be set; write it there; nearest: {}; "
+                        "known: {}",
+                        path, key.key, nearest_name(key.key, keys_of(*table)), fmt::join(keys_of(*table), ", "))};
       table->push_back({key.key, {std::string{}, at->line}});
       return table->back().value;
     }

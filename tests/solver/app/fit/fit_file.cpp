@@ -71,7 +71,7 @@ BOOST_AUTO_TEST_CASE(errors_of_several_tables_are_reported_together) {
     const std::string message = error.what();
     BOOST_TEST(message.find("f.toml:4: input 1: column: found \"t\"; it must be a column of ") != std::string::npos,
                message);
-    BOOST_TEST(message.find("f.toml:11: parameter 1: range: found [4, 1]; the first must be less than the second") !=
+    BOOST_TEST(message.find("f.toml:11: parameter 1: range: found [4.0, 1.0]; the first must be less than the second") !=
                    std::string::npos,
                message);
   }
@@ -92,7 +92,7 @@ BOOST_AUTO_TEST_CASE(an_uncertainty_has_the_unit_of_its_column) {
   BOOST_TEST(message(head + of_number + "uncertainty = \"1 mm\"\n" + parameter)
                  .ends_with("uncertainty: found \"1 mm\"; it must be > 0, a pure number as the column"));
   BOOST_TEST(message(head + quantity + "uncertainty = 1.0\n" + parameter)
-                 .ends_with("uncertainty: found 1; it must be > 0, in the unit of the column, mm"));
+                 .ends_with("uncertainty: found 1.0; it must be > 0, in the unit of the column, mm"));
   BOOST_TEST(message("scene = \"s.toml\"\ndata = \"\"\n" + quantity + parameter)
                  .ends_with("data: found \"\"; it must be the name of a file, in quotes"));
 }

@@ -53,7 +53,7 @@ BOOST_AUTO_TEST_CASE(columns_of_a_table_are_numbers_quantities_texts_or_flags) {
   BOOST_TEST(rows_of("method") == "\"rk4\", \"exact\"");
   BOOST_TEST(rows_of("h [s]") == "\"0.001 s\", \"0.002 s\"");
   BOOST_TEST(rows_of("count") == "2, 3");
-  BOOST_TEST(rows_of("factor") == "2, 0.5");
+  BOOST_TEST(rows_of("factor") == "2.0, 0.5");
   BOOST_TEST(rows_of("on") == "true, false");
   BOOST_CHECK_EXCEPTION(static_cast<void>(rows_of("mixed")), InputError, [](const InputError& error) {
     return std::string{error.what()}.ends_with("t.csv:3: column 'mixed': found 'two'; it must be a finite number");

@@ -1,5 +1,6 @@
 #include "verification/problems/program/sweeps/sweep_refusals.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -11,6 +12,7 @@ namespace {
 
 struct Wrong {
   std::string text, message;
+  bool is_one{};  ///< it has no other errors, as consequences
 };
 
 const std::string head = "base = \"ball.toml\"\noutputs = [\"ball.vx.end\"]\n",
@@ -27,16 +29,16 @@ std::vector<Wrong> wrong_sweeps() {
       {"base = \"ball.toml\"\noutputs = []\n" + good, "wrong.toml:2: outputs: found []; it must be an array of texts"},
       {"base = \"ball.toml\"\noutputs = [3]\n" + good, "wrong.toml:2: outputs: found 3; it must be a text"},
       {"base = \"ball.toml\"\noutputs = [\"ball.vz.end\"]\n" + good,
-       "wrong.toml: outputs: column 'ball.vz' is not known"},
+       "wrong.toml:2: outputs: column 'ball.vz' is not known"},
       {"base = \"ball.toml\"\noutputs = [\"ball.vz.end\", \"ball.vx.max\", \"ball.vw.end\"]\n" + good,
-       "\ntalus: wrong.toml: outputs: column 'ball.vw' is not known"},
+       "\ntalus: wrong.toml:2: outputs: column 'ball.vw' is not known"},
       {"base = \"own.toml\"\noutputs = [\"rock.vx.end\"]\n" + sobol +
            "[[axis]]\nfield = \"fence.columns\"\nrange = [5, 9]\n[[axis]]\nfield = \"fence.restitution\"\nrange = [0, "
            "1]\n",
-       "wrong.toml: axis 2: range: found whole numbers for 'fence.restitution', which takes others, too"},
+       "wrong.toml:9: axis 2: range: found whole numbers for 'fence.restitution', which takes others, too"},
       {"base = \"ball.toml\"\noutputs = [\"ball.vx\"]\n" + good, "outputs: found \"ball.vx\"; it must end in .max"},
       {"base = \"ball.toml\"\noutputs = [\"impact.hut[0].touch_time\"]\n" + good,
-       "wrong.toml: outputs: contact 'hut' is not known; nearest: hit"},
+       "wrong.toml:2: outputs: contact 'hut' is not known; nearest: hit"},
       {"base = \"ball.toml\"\noutputs = [\"impact.hit[0].touch\"]\n" + good,
        "outputs: number of an impact 'touch' is not known"},
       {"base = \"ball.toml\"\noutputs = [\"ball.z.peak[0]\"]\n" + good, "outputs: column 'ball.z' is not known"},
@@ -52,7 +54,7 @@ std::vector<Wrong> wrong_sweeps() {
       {head + "[[axis]]\nfield = \"body..mass\"\nvalues = [1]\n",
        "wrong.toml:4: axis 1: field: found 'body..mass'; it must be a path"},
       {head + "[[axis]]\nfield = \"body.bal.mass\"\nvalues = [\"1 kg\"]\n",
-       "wrong.toml: 'body.bal.mass': name 'bal' is not known"},
+       "wrong.toml:3: axis 1: 'body.bal.mass': name 'bal' is not known"},
       {head + "[[axis]]\nfield = \"body.ball.velocity[2]\"\nvalues = [\"1 m/s\"]\n",
        "'body.ball.velocity[2]': 'velocity' has no element [2]; give one of its 2 elements"},
       {head + "[[axis]]\nfield = \"body.ball.mass[0]\"\nvalues = [\"1 kg\"]\n",
@@ -82,7 +84,7 @@ std::vector<Wrong> wrong_sweeps() {
       {head + good + good, "axis 2: field: 'body.ball.mass' is varied by two axes"},
       {head + "[[axis]]\nfield = \"run.step\"\nvalues = [\"1e-4 s\"]\ntable = \"t.csv\"\n", "axis 1: field"},
       {head + "[[axis]]\ntable = \"none.csv\"\ncolumns = { \"run.step\" = \"s\" }\n",
-       "wrong.toml: axis: table: none.csv: No such file or directory"},
+       "wrong.toml:3: axis: table: none.csv: No such file or directory"},
       {head + "[[axis]]\nfield = \"body.ball.offset[0]\"\nvalues = [\"1 m\"]\n",
        "the base has no 'offset', of which an element could be set"},
       {head + "[[axis]]\ntable = \"bad.csv\"\ncolumns = { \"run.step\" = \"h [s]\" }\n", "column 'h [s]' is not known"},
@@ -108,7 +110,9 @@ std::vector<Wrong> wrong_sweeps() {
       {head + "[[axis]]\nfield = \"run.stepp\"\nvalues = [1, 2]\n",
        "wrong.toml: run 1 is refused, as are all that were tried: run.stepp = 1: ball.toml:"},
       {head + "[[axis]]\ntable = \"bad.csv\"\n", "axis 1: columns: it must be a table of fields with their headings"},
-      {head + "[design]\nkind = \"sobel\"\nruns = 4\n" + good, "design: kind: "},
+      {head + "[design]\nkind = \"sobel\"\nruns = 4\n" + mass + "range = [1.0, 2.0]\n", "design: kind: ", true},
+      {head + "[desing]\nkind = \"sobol\"\nruns = 4\n" + mass + "range = [1.0, 2.0]\n", "nearest: design", true},
+      {head + mass + "range = [1, 3]\ncount = 4\n", "or write the range with decimals, e.g. [0.0, 1.0]", true},
       {head + "[design]\nkind = \"sobol\"\n" + good, "design: runs: it is missing"},
       {head + "[design]\nkind = \"sobol\"\nruns = 0\n" + good, "design: runs: found 0"},
       {head + "[limits]\ntime = \"0 s\"\n" + good, "limits: time: found \"0 s\"; it must be > 0"},
@@ -139,6 +143,7 @@ void check_refusals(const Program& program, Differences& differ) {
     const ProgramEnd end = program.end({"sweep", "plan", "wrong.toml"});
     const int expected = wrong.message.find("No such file") != std::string::npos ? 4 : 2;
     differ.ended("refusal: " + wrong.message, end, expected, wrong.message);
+    if (wrong.is_one) differ.compare("errors of: " + wrong.message, std::ranges::count(end.messages, '\n'), 1L);
   }
   differ.compare("nothing is written of a wrong sweep", program.has("wrong/sweep.json"), false);
   struct WrongCommand {
@@ -168,8 +173,8 @@ void check_refusals(const Program& program, Differences& differ) {
        4},
       {{"sweep", "evaluate", "real.toml", "params.in", "results.out"},
        {},
-       "real.toml: axis 1: range: found whole numbers for 'fence.restitution', which takes others, too"},
-      {{"sweep", "plan", "lone.toml"}, {}, "lone.toml: base: nowhere.toml: No such file or directory", 4},
+       "real.toml:3: axis 1: range: found whole numbers for 'fence.restitution', which takes others, too"},
+      {{"sweep", "plan", "lone.toml"}, {}, "lone.toml:1: base: nowhere.toml: No such file or directory", 4},
       {{"sweep", "run", "nowhere"}, {}, "nowhere", 4},
       {{"sweep", "status", "."}, {}, "found a folder without sweep.json; it must be the folder of a sweep", 4}};
   program.write("real.toml",

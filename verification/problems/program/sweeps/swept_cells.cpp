@@ -175,7 +175,7 @@ void check_ends(const Program& program, Differences& differ) {
                 "base = \"cells_base.toml\"\noutputs = [\"cell.deepth\"]\n" + listed("cell.seed", "1"));
   const ProgramEnd output = program.end({"sweep", "plan", "cell_output.toml"});
   differ.ended("refusal: output of a cell", output, 2,
-               "cell_output.toml: outputs: number of a cell 'cell.deepth' is not known; "
+               "cell_output.toml:2: outputs: number of a cell 'cell.deepth' is not known; "
                "nearest: cell.depth");
   program.write("cell_error.toml",
                 "base = \"cells_base.toml\"\noutputs = [\"cell.restitution.error\"]\n" + listed("cell.seed", "1"));
