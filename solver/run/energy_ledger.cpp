@@ -43,7 +43,7 @@ Accounts EnergyLedger::accounts(const Snapshot& snapshot) {
   now.momentum_balance_error = now.momenta.linear - start_momenta_.linear - impulse;
   now.angular_momentum_balance_error =
       now.momenta.angular - start_momenta_.angular - (state.impulse[2] - start_impulse_[2]);
-  keep_largest(largest_energy_balance_error_, std::abs(now.energy_balance_error));
+  keep_larger(largest_energy_balance_error_, std::abs(now.energy_balance_error));
   energy_scale_ = std::max({energy_scale_, now.energies.kinetic, std::abs(gravity), std::abs(applied),
                             std::abs(contacts), std::abs(cables)});
   return now;

@@ -10,7 +10,7 @@
 namespace talus {
 
 /// Keeps the larger of both in `largest`; returns whether that is the value. NaN counts as the largest, and stays.
-inline bool keep_largest(double& largest, double value) {
+inline bool keep_larger(double& largest, double value) {
   if (value <= largest || std::isnan(largest)) return false;
   largest = value;
   return true;

@@ -269,7 +269,7 @@ void RunMonitor::check_balance(const Snapshot& snapshot, const std::optional<Bal
     now.error = ledger_.accounts(snapshot).energy_balance_error;
     now.scale = ledger_.energy_scale();
   }
-  if (keep_largest(balance_.error, std::abs(now.error))) drift_time_ = snapshot.state().t;
+  if (keep_larger(balance_.error, std::abs(now.error))) drift_time_ = snapshot.state().t;
   balance_.scale = std::max(balance_.scale, now.scale);
   if (scene_->plan.watch.accuracy == CheckAction::error && !(drift() <= largest_balance_error))
     violation_ = drift_text();
