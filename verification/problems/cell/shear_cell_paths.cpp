@@ -129,6 +129,16 @@ void expect_own_virtual(Findings& findings, const Setup& setup) {
                        "otherwise neither friction nor virtual discs would be compared");
 }
 
+/// Dimensionless groups and results of a cell run.
+std::vector<double> numbers_of(CellRun& run, const CellPlan& plan) {
+  const CellScene scene{.title = "", .units = {}, .cell = run.cell(), .plan = plan};
+  std::vector<double> values;
+  for (const auto& numbers : {cell_groups(scene, run), cell_results(run)})
+    for (const CellNumber& number : numbers)
+      values.push_back(number.estimate.value);
+  return values;
+}
+
 void expect_mirror(Findings& findings, const Setup& setup) {
   ShearCell cell = ice_cell(8e3, 5e3);
   const FilledCell start = lively(cell);
@@ -146,6 +156,10 @@ void expect_mirror(Findings& findings, const Setup& setup) {
                         mirror / shear, -1.0, "only signs change, no digit does");
   findings.expect_true({"mirrored_heights", "bit-identical heights of all discs in the mirrored cell"},
                        one.discs().y == other.discs().y, "no sum along y depends on the mirror image");
+  const std::vector<double> numbers = numbers_of(one, plan);
+  findings.expect_true("bit-identical groups and results of the mirrored cell",
+                       !numbers.empty() && numbers == numbers_of(other, plan),
+                       "shear and rates count along the motion of the block; none of these discs has a spin");
 }
 
 /// Restores the saved state of the first run into a second one; runs both to their ends.
