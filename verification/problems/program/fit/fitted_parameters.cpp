@@ -364,6 +364,25 @@ void check_warnings(const Program& program, Differences& differ) {
       differ.compare(fmt::format("{} of a quantity that is measured twice", of),
                      fitted.number(row, fmt::format("again, {} [mm/s]", of)),
                      fitted.number(row, fmt::format("rebound, {} [mm/s]", of)));
+  // Each of two quantities in different units has its own measured values and deviations.
+  std::string in_metres = "vy [m/s],rebound [m/s],rebound [mm/s]\n", of_units = of_many;
+  for (const double speed : {0.5, 1.0, 1.5, 2.0})
+    in_metres += fmt::format("{},{},{}\n", -speed, 0.99 * e * speed, 1020.0 * e * speed);
+  program.write("units.csv", in_metres);
+  of_units.replace(of_units.find("many.csv"), 8, "units.csv");
+  of_units.replace(of_units.find("rebound [mm/s]"), 14, "rebound [m/s]");
+  of_units.replace(of_units.find("5 mm/s"), 6, "5e-3 m/s");
+  program.write("units.toml", of_units);
+  const Json units = program.json({"fit", "units.toml"}, {{"--json", {}}, {"--out", {"units"}}});
+  const records::Csv in_units = program.csv("units/fit.csv");
+  for (std::size_t k = 0; k < 2; ++k) {
+    double sum = 0.0;
+    for (const double difference : column(in_units, k == 0 ? "rebound, difference" : "again, difference"))
+      sum += difference * difference;
+    differ.holds("root mean square of a quantity in its unit",
+                 std::abs(units.at("quantities").at(k).at("root_mean_square").get<double>() / std::sqrt(sum / 4.0) -
+                          1.0) < 1e-9);
+  }
   // The rebound does not depend on the position along the floor.
   program.write("free.toml", std::string{heading} + of_speed + of_damping +
                                  parameter("body.ball.position[0]", "[\"-1 m\", \"1 m\"]") + few);
