@@ -343,6 +343,34 @@ void check_worst_named(const Program& program, Differences& differ) {
   }
 }
 
+/// `check` lists the bounds of a plate's corners exactly if a corner can be lighter than the lightest of the four at
+/// the start: 1/m = 1/M + x^2/I with its lever x, which is at most a where a corner is the lowest.
+void check_lighter_corners(const Program& program, Differences& differ) {
+  constexpr double a = 0.5, b = 0.2, mass = 2.0, inertia = 0.2;
+  const auto corner_mass = [&](double x) { return 1.0 / (1.0 / mass + x * x / inertia); };
+  const double minimum = corner_mass(a);
+  for (const double degrees : {-20.0, 20.0, 80.0, 100.0}) {
+    const double angle = degrees * std::numbers::pi / 180.0;
+    const double lightest = corner_mass(a * std::abs(std::cos(angle)) + b * std::abs(std::sin(angle)));
+    program.write(
+        "plate.toml",
+        fmt::format("units = \"SI\"\n[[body]]\nname = \"plate\"\nmobility = \"free\"\nmass = \"{} kg\"\n"
+                    "inertia = \"{} kg m^2\"\nposition = [\"0 m\", \"1 m\"]\nangle = \"{} deg\"\n"
+                    "shape = {{ kind = \"rectangle\", half_width = \"{} m\", half_height = \"{} m\" }}\n"
+                    "[[body]]\nname = \"plane\"\nmobility = \"fixed\"\nposition = [\"0 m\", \"0 m\"]\n"
+                    "shape = {{ kind = \"half_plane\" }}\n[[contact]]\nname = \"touch\"\n"
+                    "between = [\"plate\", \"plane\"]\nlaw = \"linear_spring_dashpot\"\nstiffness = \"3 kN/m\"\n"
+                    "damping = \"0 N s/m\"\n[run]\nintegrator = \"rk4\"\nstep = \"1 ms\"\nend = \"1 ms\"\n",
+                    mass, inertia, degrees, a, b));
+    const std::string printed = squeezed(program.run({"check", "plate.toml"}));
+    differ.contains("check: mass of the lightest corner at the start", printed,
+                    fmt::format(" 3000 0 {:.5g} ", lightest));
+    differ.compare(fmt::format("check: a corner that can be lighter than at {} deg", degrees),
+                   printed.find(fmt::format("\n touch {:.5g} {:g} ", minimum, mass)) != std::string::npos,
+                   minimum < 0.99 * lightest);
+  }
+}
+
 void check_other_commands(const Program& program, Differences& differ) {
   // Outputs of a method that chooses its steps: at least 20 in the shortest contact, and a whole number in each row.
   constexpr double stiff = 2e8, duration = 0.2;
@@ -434,6 +462,7 @@ void check_other_commands(const Program& program, Differences& differ) {
           warns);
   }
   check_worst_named(program, differ);
+  check_lighter_corners(program, differ);
   program.write("often.toml", hung_text("integrator = \"velocity_verlet\"\nstep = \"0.2 s\"\nend = \"1 s\"\n"));
   for (const std::string command : {"run", "check"}) {
     const ProgramEnd often = run_talus(program.folder(), {command, "often.toml"});
