@@ -16,6 +16,7 @@
 #include "verification/problems/program/pictures/picture_script.hpp"
 #include "verification/record/csv.hpp"
 #include "verification/record/json_node.hpp"
+#include "verification/record/whole_file.hpp"
 #include "verification/reference/motion/constant_force.hpp"
 #include "verification/study/findings/expectations.hpp"
 #include "verification/study/program/program_options.hpp"
@@ -391,7 +392,37 @@ double check_snapshots(const Pictures& program, Differences& differ) {
     check_state(picture.panels[0], (i - 1) * steps / 2, false, worst, differ);
   }
   differ.compare("snapshot: files of single states", files, expected);
+  // One state is the last one.
+  const std::string noted = program.run({"snapshot", "out"}, {{"--count", {"1"}}, {"--format", {"svg"}}});
+  differ.holds("snapshot: printed time of one state", noted.starts_with("state drawn at t = 1 s\n"));
+  const Picture one = program.picture("out/plots/snapshot_side.svg");
+  differ.compare("snapshot: panels of one state", one.panels.size(), 1UL);
+  if (one.panels.size() != 1) return std::nan("");
+  differ.compare("snapshot: time of one state", one.panels[0].title, std::string{"t = 1 s"});
+  check_state(one.panels[0], steps, false, worst, differ);
   return worst;
+}
+
+/// The model is half of a fence; seen along it, all parts have their mirror images, up to both anchors. The rock in the
+/// middle, which turns, is the only part with an outline of more points than a rectangle.
+void check_half_fence(const Pictures& program, Differences& differ) {
+  constexpr double half_span = 27.5;
+  program.folder().write("half.DAT", records::read_whole(fs::path{TALUS_CASES} / "fence" / "sample2.DAT"));
+  (void)talus_output(program.folder(), {"run", "half.DAT", "--end", "1 ms", "--out", "half"});
+  (void)program.run({"snapshot", "half"}, {{"--view", {"along"}}, {"--count", {"1"}}, {"--format", {"svg"}}});
+  const Picture picture = program.picture("half/plots/snapshot_along.svg");
+  differ.compare("half fence: panels", picture.panels.size(), 1UL);
+  if (picture.panels.size() != 1) return;
+  const Panel& panel = picture.panels.front();
+  std::set<Point> points, images;
+  for (const Curve& curve : panel.curves)
+    for (const std::vector<Point>& line : curve.lines)
+      for (std::size_t i = 0; i < line.size() && line.size() <= 5; ++i)
+        points.insert(line[i]), images.insert({-line[i][0], line[i][1]});
+  differ.holds("half fence: mirror images", points == images);
+  differ.holds("half fence: both anchors", !points.empty() && (*points.rbegin())[0] == half_span);
+  const Numbers& window = panel.x_range;
+  differ.holds("half fence: window", window.size() == 2 && window[0] == -window[1] && window[1] > half_span);
 }
 
 double check_animations(const Pictures& program, Differences& differ) {
@@ -537,6 +568,7 @@ void run(Findings& findings, const Setup& setup) {
   keep_worst(curves, check_default_histories(program, plots));
   check_list(program, plots);
   double drawn = check_snapshots(program, states);
+  if (setup.fault.empty()) check_half_fence(program, states);
   keep_worst(drawn, check_animations(program, films));
   if (setup.fault.empty()) check_long_history(program, films);
   const double colours = check_colours(program, states, setup);
@@ -556,8 +588,8 @@ void run(Findings& findings, const Setup& setup) {
       Tolerance::model(1.0 / 96.0 + 1e-5, "half a step of a scale of 48 steps; screen coordinates have six digits"));
   states.expect_none(
       findings, "talus snapshot: files, times, windows and texts that differ from the options",
-      "two pages of two states in two views, three pages of one state in three formats, labels and ends of "
-      "colour scales");
+      "two pages of two states in two views, three pages of one state in three formats, the last state alone, "
+      "a half fence with its mirror image, labels and ends of colour scales");
   films.expect_none(findings, "talus animate: files, frames, windows and texts that differ from the options",
                     "a GIF and a page with the states up to --until");
 }
