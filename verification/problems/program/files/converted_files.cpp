@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <map>
 #include <numbers>
 #include <random>
@@ -20,6 +21,7 @@
 #include "verification/record/json_node.hpp"
 #include "verification/record/whole_file.hpp"
 #include "verification/study/findings/expectations.hpp"
+#include "verification/study/program/program_options.hpp"
 #include "verification/study/program/program_run.hpp"
 
 namespace talus::verification::problems::converted_files {
@@ -263,6 +265,35 @@ void compare_values(const std::string& first, const std::string& second, Changes
   changes.wrong += static_cast<double>(there.size());
   for (const auto& [key, value] : there)
     changes.keys.push_back(key);
+}
+
+/// Fences that a deck cannot express are refused, and no deck is written.
+void check_refused_decks(const TemporaryFolder& folder, Findings& findings) {
+  const std::string text = records::read_whole(TALUS_CASES "/fence/table_2.toml") + "[fence.options]\n",
+                    ground = "[fence.ground]\n", power = "b = \"0.953951 ft\"\npower = 0.0\n",
+                    options = "[fence.options]\n";
+  struct Beyond {
+    std::string replaced, by, message;
+  };
+  const std::vector<Beyond> fences{
+      {options, "[[fence.changed_column]]\nnumber = 3\ndensity = \"0.45 slug/ft^3\"\n", "found a changed_column"},
+      {ground, "ground_profile = [[\"-90 ft\", \"-6 ft\"], [\"90 ft\", \"-7 ft\"]]\n" + ground,
+       "found a ground_profile"},
+      {options, "[[fence.stretched_cable]]\ncable = \"top1\"\nstretch = \"0.01 ft\"\n", "found a stretched_cable"},
+      {power, "b = \"0.953951 ft\"\nshape = \"rectangle\"\n", "found shape or exponent"},
+      {power, "b = \"0.953951 ft\"\nshape = \"superquadric\"\nexponent = 3.5\n", "found shape or exponent"},
+      {options, options + "sleep = \"on\"\n", "found sleep = \"on\""}};
+  Differences refusals;
+  for (const auto& [replaced, by, message] : fences) {
+    std::string beyond = text;
+    beyond.replace(beyond.find(replaced), replaced.size(), by);
+    folder.write("beyond.toml", beyond);
+    std::filesystem::remove(folder.path() / "beyond.DAT");
+    refusals.ended(message, run_talus(folder, {"convert", "beyond.toml", "beyond.DAT"}), 2, message);
+    refusals.holds(message + ": no deck", !std::filesystem::exists(folder.path() / "beyond.DAT"));
+  }
+  refusals.expect_none(findings, "fences that a deck cannot express and that are not refused",
+                       "exit status 2, the field in the message, and no file");
 }
 
 /// Values that follow from others: mass and duration, and options that rules = "1993" takes.
@@ -515,14 +546,39 @@ void check_spheres(const TemporaryFolder& folder, Findings& findings, const Setu
                        "the end rule of the cell is clamped, which LAMMPS calls limit_damping");
 }
 
+/// `limit_damping` is in the commands exactly if the dashpot acts and contacts do not pull.
+void check_end_rules(const TemporaryFolder& folder, Findings& findings) {
+  const std::string text = records::read_whole(TALUS_CASES "/cell/rough.toml"), clamped = "end_rule = \"clamped\"",
+                    damped = "restitution = 0.7";
+  Differences rules;
+  for (const std::string rule : {"clamped", "attractive"}) {
+    for (const std::string dashpot : {"damping = \"0.05 N s/m\"", "damping = \"0 N s/m\""}) {
+      std::string cell = text;
+      cell.replace(cell.find(clamped), clamped.size(), "end_rule = \"" + rule + "\"");
+      cell.replace(cell.find(damped), damped.size(), dashpot);
+      folder.write("rule.toml", cell);
+      (void)talus_output(folder, {"export", "lammps", "rule.toml", "--out", "rule"});
+      const std::string input = folder.read("rule/in.discs");
+      rules.contains("dashpot of LAMMPS", input, " damping velocity");
+      rules.compare(rule + ", " + dashpot, input.find(" limit_damping") != std::string::npos,
+                    rule == "clamped" && dashpot.find("\"0 N") == std::string::npos);
+    }
+  }
+  rules.expect_none(
+      findings, "in.discs: end rules other than those of the discs",
+      "LAMMPS calls a contact that does not pull limit_damping, and contacts without dashpot do not pull");
+}
+
 void run(Findings& findings, const Setup& setup) {
   const auto group = findings.in("converted");
   const TemporaryFolder folder;
   if (setup.needs("of the scene")) check_deck(folder, findings, setup);
   if (setup.needs("values")) check_fields(folder, findings, setup);
+  if (setup.needs("cannot express")) check_refused_decks(folder, findings);
   if (setup.needs("follow from")) check_derived(folder, findings);
   if (setup.needs("rock")) check_after(folder, findings, setup), check_after_break(folder, findings);
   if (setup.needs("discs")) check_lammps(folder, findings, setup);
+  if (setup.needs("end rules")) check_end_rules(folder, findings);
   if (setup.needs("spheres")) check_spheres(folder, findings, setup);
 }
 
