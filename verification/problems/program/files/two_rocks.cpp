@@ -343,6 +343,51 @@ void check_codes(const TemporaryFolder& folder, const std::string& deck, Finding
                                        "squares loses three digits"));
 }
 
+/// Loads on a rock that is pushed and turned on its way to the fence: those of the deck and the weight until it
+/// touches, and their impulses up to the end beside the changes of its momentum.
+void check_loads(const TemporaryFolder& folder, const std::string& deck, Findings& findings) {
+  std::string text = deck;
+  replace(text,
+          "moment = \"0 lbf ft\"\nposition = [\"2.451 ft\", \"0 ft\"]\nvelocity = [\"-65 ft/s\", \"0 ft/s\"]\n"
+          "force = [\"0 lbf\", \"0 lbf\"]",
+          "moment = \"300 lbf ft\"\nposition = [\"2.6 ft\", \"-1.3 ft\"]\nvelocity = [\"-65 ft/s\", \"0 ft/s\"]\n"
+          "force = [\"-3000 lbf\", \"2000 lbf\"]");
+  replace(text, "history_every = 30", "history_every = 1");
+  replace(text, "[51, 52, 48, 6, 7, 8, 35, 36]", "[6, 7, 8, 15, 16, 23, 24, 25]");
+  folder.write("loads.toml", text);
+  (void)talus_output(folder, {"run", "loads.toml", "--out", "loads", "--integrator", integrator, "--end", "8 ms"});
+  const Csv codes = records::read_csv(folder.path() / "loads/loads.history.csv");
+  const auto code = [&](const std::string& of) { return column(codes, "element2." + of); };
+  const std::vector<double> time = column(codes, "time");
+  const double mass = code("mass").front(), inertia = code("inertia").front(), touch = 0.149 / 65.0;
+  Worst flight, impulses;
+  for (const auto& [velocity, load, inert, given] : {std::tuple{"vx", "load_x", mass, -3000.0},
+                                                     {"vy", "load_y", mass, 2000.0 - 32.18 * mass},
+                                                     {"omega", "load_moment", inertia, 300.0}}) {
+    const std::vector<double> v = code(velocity), loads = code(load);
+    double impulse = 0.0, largest = 0.0, interval = 0.0;
+    for (std::size_t row = 1; row < time.size(); ++row) {
+      const double h = time[row] - time[row - 1];
+      impulse += 0.5 * h * (loads[row] + loads[row - 1]);
+      keep_largest(largest, loads[row]), keep_largest(interval, h);
+      if (time[row] > 0.95 * touch) continue;
+      flight.compare(loads[row], given, 3000.0);
+      flight.compare(inert * (v[row] - v[row - 1]) / h, given, 3000.0);
+    }
+    impulses.compare(impulse, inert * (v.back() - v.front()), 0.5 * interval * largest);
+  }
+  findings.expect(
+      "history by codes: loads on a rock in flight, largest error", flight.error(), 0.0,
+      Tolerance::round_off(1e-12, "speeds of 65 ft/s change by 0.007 ft/s in a step: four digits are lost"));
+  findings.expect(
+      "history by codes: impulses of the loads less changes of momentum, over those of the largest load in half a "
+      "step, largest",
+      impulses.error(), 0.0,
+      Tolerance::truncation(1.0, 1.0,
+                            "a dashpot begins to act with a jump of the force, which the sum of trapezoids "
+                            "shifts by up to half a step"));
+}
+
 /// Two blocks of power 0 with one resultant for each contact: both outlines are rectangles, with corners at (a, b). A
 /// superellipse of n = 20, as nodal contacts have, is 3.4 % short of them.
 void check_blocks(const TemporaryFolder& folder, const std::string& deck, Findings& findings) {
@@ -494,7 +539,7 @@ void run(Findings& findings, const Setup& setup) {
   const std::string printed = talus_output(folder, arguments);
   if (setup.needs("animation")) check_player(folder, findings, setup);
   if (setup.needs("alone")) check_alone(folder, deck, findings, setup);
-  if (setup.needs("history by codes")) check_codes(folder, deck, findings);
+  if (setup.needs("history by codes")) check_codes(folder, deck, findings), check_loads(folder, deck, findings);
   if (setup.needs("blocks: ")) check_blocks(folder, deck, findings);
   if (setup.needs("missing rock")) check_missing_rock(folder, deck, findings);
   if (setup.needs("pairs of rocks: ")) check_worst_verdict(folder, deck, findings, setup);
