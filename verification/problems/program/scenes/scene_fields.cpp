@@ -174,7 +174,7 @@ law = "linear_spring_dashpot"
 stiffness = "1400 N/m"
 damping = "3 N s/m"
 method = "nodes"
-nodes = [4, 4]
+nodes = [4, 9]
 node_depth = "centroid_ray"
 [[cable]]
 name = "rope"
@@ -301,18 +301,23 @@ std::map<std::string, double> first_row(const Written& of, const Setup& setup) {
         k * overlap - 2.0 * reference::damping_ratio(of("slider_slope.restitution"), EndRule::clamped) *
                           std::sqrt(k * of("slider.mass")) * dot(vector_of(of, "slider.velocity"), normal);
   }
-  {  // The knob's lowest node lies in the ellipse, at this fraction of the ray from its centre; of the ellipse's four
-     // nodes, halfway between its vertices in the parameter of its angle, one lies in the knob.
+  {  // The knob's lowest node lies in the ellipse, at this fraction of the ray from its centre; the ellipse's nodes,
+     // the first and the last as far from its vertex in the parameter of its angle, act if they lie in the knob.
     const Vector centre = vector_of(of, "knob.position") - vector_of(of, "ellipse.position");
     const double radius = of("knob.shape.radius"), height = of("ellipse.shape.half_height"),
                  width = of("ellipse.shape.half_width");
     const Vector node = centre - Vector{0.0, radius};
     const double fraction = std::hypot(node.x / width, node.y / height);
-    const double of_node = std::hypot(node.x, node.y) * (1.0 / fraction - 1.0),
-                 of_ellipse = radius - std::hypot(centre.x - width / std::numbers::sqrt2,
-                                                  centre.y - height / std::numbers::sqrt2);
-    row["knob_ellipse.overlap"] = std::max(of_node, of_ellipse);
-    row["knob_ellipse.force"] = of("knob_ellipse.stiffness") * (of_node + of_ellipse);
+    const double of_node = std::hypot(node.x, node.y) * (1.0 / fraction - 1.0);
+    double overlap = of_node, sum = of_node;
+    const int nodes = static_cast<int>(of("knob_ellipse.nodes[1]"));
+    for (int i = 0; i < nodes; ++i) {
+      const double at = 2.0 * std::numbers::pi * (i + 0.5) / nodes;
+      const double inside = radius - std::hypot(centre.x - width * std::cos(at), centre.y - height * std::sin(at));
+      sum += std::max(inside, 0.0), overlap = std::max(overlap, inside);
+    }
+    row["knob_ellipse.overlap"] = overlap;
+    row["knob_ellipse.force"] = of("knob_ellipse.stiffness") * sum;
   }
   {  // A cable that is longer by its distance across the plane.
     const auto arm = [&](const std::string& body, const std::string& end) {
