@@ -5,6 +5,7 @@
 #include <cmath>
 #include <sstream>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "verification/reference/impacts/restitution.hpp"
@@ -83,6 +84,20 @@ void check_dakota(const Program& program, Differences& differ) {
   differ.ended("dakota: message of a failure", limited, 0, "limit of 2 evaluations");
   static_cast<void>(evaluated(parameters(2.0, -10.0, 1)));
   differ.holds("dakota: refused", program.read("results.out").starts_with("FAIL refused: ball.toml:"));
+  // Constraints at their limits: the same run, one that breaks a constraint none.
+  program.write("constrained.toml", program.read("dakota.toml") +
+                                        "[[constraint]]\nfield = \"contact.hit.damping\"\nat_least = \"10 N s/m\"\n"
+                                        "[[constraint]]\nfield = \"body.ball.velocity[0]\"\nat_most = \"2 m/s\"\n");
+  static_cast<void>(evaluated(parameters(2.0, 10.0, 1)));
+  const std::string free = program.read("results.out");
+  static_cast<void>(evaluated(parameters(2.0, 10.0, 1), "constrained.toml"));
+  differ.compare("dakota: at the limits of constraints", program.read("results.out"), free);
+  for (const auto& [speed, damping, constraint] : {std::tuple{2.0, 9.0, 1}, {2.1, 10.0, 2}}) {
+    const ProgramEnd broken = evaluated(parameters(speed, damping, 1), "constrained.toml");
+    const std::string reason = fmt::format("constraint {}: it is not satisfied", constraint);
+    differ.compare("dakota: a broken constraint", program.read("results.out"), "FAIL refused: " + reason + "\n");
+    differ.ended("dakota: message of a broken constraint", broken, 0, reason);
+  }
 
   struct Wrong {
     std::string text, message;
