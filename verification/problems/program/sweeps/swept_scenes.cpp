@@ -11,6 +11,7 @@
 #include "verification/problems/program/sweeps/ball_sweep.hpp"
 #include "verification/problems/program/sweeps/dakota_files.hpp"
 #include "verification/problems/program/sweeps/failed_runs.hpp"
+#include "verification/problems/program/sweeps/served_runs.hpp"
 #include "verification/problems/program/sweeps/sweep_engines.hpp"
 #include "verification/problems/program/sweeps/sweep_refusals.hpp"
 #include "verification/problems/program/sweeps/swept_cells.hpp"
@@ -385,6 +386,7 @@ void run(Findings& findings, const Setup& setup) {
     check_fences(program, differ);
     check_cells(program, differ);
     check_dakota(program, differ);
+    check_server(program, differ);
     check_failures(program, differ);
     check_engines(program, grid_text(), differ);
     check_units(program, differ);
