@@ -125,7 +125,7 @@ int main(int argc, char** argv) {
     if (!(options.site.empty() && options.sketches.empty()) && options.to.empty())
       throw CLI::ValidationError("--site and --sketches require --to (the folder that receives what is made)");
   } catch (const CLI::ParseError& wrong) {
-    return talus::print_usage_error(app, wrong) ? 2 : 0;
+    return talus::exit_of_parse(app, wrong);
   }
   try {
     return work(options);

@@ -97,10 +97,8 @@ int parse_and_work(const std::string& version, int count, const char* const* arg
     refuse_empty_values(*command.app);
   try {
     talus.parse(count, arguments);
-  } catch (const CLI::Success& help) {
-    return talus.exit(help);
   } catch (const CLI::ParseError& error) {
-    return report(bad_input, usage_error(talus, error));
+    return exit_of_parse(talus, error);
   }
   return work(commands);
 }

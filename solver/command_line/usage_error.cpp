@@ -6,9 +6,11 @@
 #include <CLI/CLI.hpp>
 #include <charconv>
 #include <cstdio>
+#include <iostream>
 #include <vector>
 
 #include "solver/base/error.hpp"
+#include "solver/base/exit_code.hpp"
 
 namespace talus {
 namespace {
@@ -83,14 +85,18 @@ std::string usage_error(const CLI::App& program, const CLI::ParseError& error) {
   return fmt::format("{}\nhelp: {} --help", message(program, error), full_name(program));
 }
 
-bool print_usage_error(const CLI::App& program, const CLI::ParseError& error) {
-  if (dynamic_cast<const CLI::Success*>(&error) != nullptr) {
-    static_cast<void>(program.exit(error));
-    return false;
+int exit_of_parse(const CLI::App& program, const CLI::ParseError& error) {
+  const auto fail = [&](app::ExitCode code, const std::string& message) {
+    std::fputs(fmt::format("{}: {}\n", program.get_name(), message).c_str(), stderr);
+    return code;
+  };
+  if (dynamic_cast<const CLI::Success*>(&error) == nullptr) {
+    std::fflush(stdout);
+    return fail(app::bad_input, usage_error(program, error));
   }
-  std::fflush(stdout);
-  std::fputs(fmt::format("{}: {}\n", program.get_name(), usage_error(program, error)).c_str(), stderr);
-  return true;
+  static_cast<void>(program.exit(error));
+  const bool is_written = static_cast<bool>(std::cout.flush()) && std::fflush(stdout) == 0;
+  return is_written ? app::ok : fail(app::io_failed, "standard output: cannot be written");
 }
 
 }  // namespace talus

@@ -27,7 +27,7 @@ void refuse_empty_values(CLI::App& app);
 [[nodiscard]] std::string usage_error(const CLI::App& program, const CLI::ParseError& error);
 
 /// Prints what parse() threw: the requested help or version on standard output, else "PROGRAM: " and usage_error() on
-/// standard error. Returns whether the command line was wrong.
-bool print_usage_error(const CLI::App& program, const CLI::ParseError& error);
+/// standard error. Returns the exit status: 0, or 4 if standard output cannot be written; 2 for a wrong command line.
+[[nodiscard]] int exit_of_parse(const CLI::App& program, const CLI::ParseError& error);
 
 }  // namespace talus

@@ -139,7 +139,7 @@ int run(int count, const char* const* arguments) {
   try {
     program.parse(count, arguments);
   } catch (const CLI::ParseError& wrong) {
-    return print_usage_error(program, wrong) ? app::bad_input : app::ok;
+    return exit_of_parse(program, wrong);
   }
   try {
     return serve(options);

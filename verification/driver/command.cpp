@@ -300,7 +300,7 @@ int verify(std::vector<Case> cases, const fs::path& catalogue_folder, int argc, 
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& fault) {
-    return print_usage_error(app, fault) ? exit_usage : exit_pass;
+    return exit_of_parse(app, fault);
   }
   try {
     for (const std::string& folder : options.data) {

@@ -187,6 +187,16 @@ BOOST_AUTO_TEST_CASE(a_reader_that_has_gone_costs_no_file) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(help_that_nobody_takes_is_an_error) {
+  for (const char* const option : {"--help", "--version", "run --help"}) {
+    for (const char* const to : {">/dev/full", ">&-"}) {
+      const Ended ended = shell(fmt::format("\"$TALUS\" {} {}", option, to), {});
+      BOOST_TEST(ended.code == 4, option << to);
+      BOOST_TEST(ended.err == "talus: standard output: cannot be written\n");
+    }
+  }
+}
+
 // The run warns before its first step.
 BOOST_AUTO_TEST_CASE(messages_that_nobody_takes_cost_no_run) {
   const Folder folder;

@@ -44,7 +44,7 @@ ProgramServer::~ProgramServer() {
 
 int ProgramServer::port() {
   const std::string start = "listening on http://127.0.0.1:";
-  for (int i = 0; i < 500 && port_ == 0; ++i) {
+  for (int i = 0; i < 3000 && port_ == 0; ++i) {
     const std::string line =
         std::filesystem::exists(folder_->path() / server_output) ? folder_->read(server_output) : "";
     if (line.starts_with(start) && line.ends_with('\n')) {

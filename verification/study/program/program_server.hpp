@@ -25,8 +25,8 @@ class ProgramServer {
   ProgramServer& operator=(const ProgramServer&) = delete;
   ~ProgramServer();
 
-  /// Requests by GET, and by POST with a body. Both throw std::runtime_error if the server does not listen within ten
-  /// seconds of the first request.
+  /// Requests by GET, and by POST with a body. Both throw std::runtime_error if the server does not listen within a
+  /// minute of the first request.
   [[nodiscard]] ServerAnswer get(const std::string& path);
   [[nodiscard]] ServerAnswer post(const std::string& path, const records::Json& body);
 
