@@ -52,7 +52,7 @@ extern "C" [[noreturn, gnu::visibility("default")]] void __cxa_throw(void* objec
   // Both derive from std::exception alone, so that the thrown object begins with it.
   const auto what = [object] { return static_cast<const std::exception*>(object)->what(); };
   if (name == "N5talus10InputErrorE") note("input", what());
-  if (name == "N5talus7IoErrorE") note("file", what());
+  if (name == "N5talus7IoErrorE" || name == "N5talus11FolderInUseE") note("file", what());
   next_throw(object, type, destroy);
   __builtin_unreachable();
 }

@@ -115,7 +115,7 @@ std::string write_deck(const Fence& fence) {
   if (!fence.changed_columns.empty()) throw InputError{"a deck has one kind of column; found a changed_column"};
   const auto by_power = [](const scenes::FenceElement& e) { return e.outline == scenes::ElementOutline::by_power; };
   if (!std::ranges::all_of(fence.rocks, by_power) || !by_power(fence.column))
-    throw InputError{"a deck gives outlines by power; found shape or exponent"};
+    throw InputError{"a deck gives outlines by power; found shape or exponent; give `power` instead"};
   for (std::size_t i = 0; i < fence.rocks.size(); ++i) {
     if (fence.rocks[i].along == 0.0) continue;
     throw InputError{fmt::format("a deck has no place along the fence; found along = {} at rock {}; it must be 0",
