@@ -50,7 +50,7 @@ script, laws = guide_script("Is a contact law conservative?"), "for law in (\n"
 expect(script.count(laws) == 1, f"the script of the guide must have one line '{laws}'")
 conical = {"law": "conical", "stiffness": "50 kN/m", "at_overlap": "1 mm", "damping": "0 N s/m"}
 found = run("/usr/bin/python3", "-c", script.replace(laws, f"{laws}    {conical},\n")).splitlines()[0]
-# 1e-8: differences of energies over 1e-6 m, round-off of 1e-16 of energies and errors of third order of forces.
+# 3e-9, h^2/(3 d^2) with h = 1e-4 d: the error of the difference of energies that are cubic.
 expect(found.startswith("conical: ") and float(found.split()[-1]) < 1e-8, f"the script of the guide says: {found}")
 
 open("cell.toml", "w").write("""title = "Cell of conical discs"
