@@ -143,10 +143,10 @@ int plan(const SweepOptions& options) {
   sweep.folder = options.folder.empty() ? file.stem() : fs::path{options.folder};
   sweep.title = described.title;
   sweep.outputs = described.outputs, sweep.limits = described.limits;
-  sweep.base_text = base_text(described.base, described.place_of_base());
+  sweep.base_text = base_text(described.base, described.base_location());
   const std::string base_name = is_deck(described.base) ? "base.toml" : described.base.string();
   SweepBase base{parse_toml(sweep.base_text, base_name), base_name};
-  base.choose(sweep.outputs, described.place_of_outputs());
+  base.choose(sweep.outputs, described.outputs_location());
   SweptRuns made = of_file(file, [&] { return swept_runs(described); });
   sweep.runs = std::move(made.runs);
   base.check_axes(described, sweep.runs.front());

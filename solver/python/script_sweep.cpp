@@ -27,7 +27,7 @@ std::variant<ScriptScene, ScriptCell> base_of(TomlValue document, const std::str
 PlannedSweep plan_sweep(const std::string& file) {
   app::SweepFile described = app::read_sweep(read_text(file), file);
   const std::string name = described.base.string();
-  TomlValue document = of_scene(name, [&] { return parse_toml(script_text(name, described.place_of_base()), name); });
+  TomlValue document = of_scene(name, [&] { return parse_toml(script_text(name, described.base_location()), name); });
   try {
     std::vector<app::SweptRun> runs = app::of_file(file, [&] { return app::swept_runs(described).runs; });
     app::SweepBase{document, name}.check_axes(described, runs.front());

@@ -16,8 +16,8 @@ inline bool keep_larger(double& largest, double value) {
   return true;
 }
 
-/// "the energy balance is off by 2 % of the largest energy", for this ratio of both. Energies that exceed the numbers of
-/// the machine have none.
+/// "the energy balance is off by 2 % of the largest energy", for this ratio of both. Energies that exceed the numbers
+/// of the machine have none.
 [[nodiscard]] std::string balance_text(double ratio);
 
 /// Energy and momentum balance of a run at one time: the stored amounts, the losses and the balance errors.

@@ -69,7 +69,7 @@ void SweepBase::check_axes(const SweepFile& sweep, const SweptRun& run) const {
     try {
       check_fields(document(), of_axis);
     } catch (const InputError& error) {
-      throw InputError{fmt::format("{}: {}", sweep.place_of_axis(i), error.what())};
+      throw InputError{fmt::format("{}: {}", sweep.axis_location(i), error.what())};
     }
     if (!axis.continuous || !axis.continuous->whole) continue;
     const std::string& field = axis.fields.front();
@@ -84,7 +84,7 @@ void SweepBase::check_axes(const SweepFile& sweep, const SweptRun& run) const {
     throw InputError{
         fmt::format("{}: range: found whole numbers for '{}', which takes others, too; write them with decimals, "
                     "e.g. [0.0, 1.0], or give `values`",
-                    sweep.place_of_axis(i), field)};
+                    sweep.axis_location(i), field)};
   }
 }
 

@@ -348,13 +348,13 @@ WrittenNumber written_number(const TomlValue& value) {
   return made;
 }
 
-std::string SweepFile::place_of_axis(std::size_t axis) const {
+std::string SweepFile::axis_location(std::size_t axis) const {
   return fmt::format("{}:{}: axis {}", file, axes[axis].line, axis + 1);
 }
 
-std::string SweepFile::place_of_outputs() const { return fmt::format("{}:{}: outputs", file, outputs_line); }
+std::string SweepFile::outputs_location() const { return fmt::format("{}:{}: outputs", file, outputs_line); }
 
-std::string SweepFile::place_of_base() const { return fmt::format("{}:{}: base", file, base_line); }
+std::string SweepFile::base_location() const { return fmt::format("{}:{}: base", file, base_line); }
 
 SweepFile read_sweep(std::string_view text, const fs::path& name) {
   const TomlValue document = parse_toml(text, name.string());

@@ -89,10 +89,10 @@ struct SweepFile {
   SweepLimits limits;
 
   /// "rock.toml:7: axis 1", at the beginning of messages.
-  [[nodiscard]] std::string place_of_axis(std::size_t axis) const;
+  [[nodiscard]] std::string axis_location(std::size_t axis) const;
   /// "rock.toml:3: outputs".
-  [[nodiscard]] std::string place_of_outputs() const;
-  [[nodiscard]] std::string place_of_base() const;
+  [[nodiscard]] std::string outputs_location() const;
+  [[nodiscard]] std::string base_location() const;
 };
 
 /// Reads a sweep, TOML; `name` is the file named in errors, and files that it names are relative to its folder. Errors:

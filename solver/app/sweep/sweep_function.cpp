@@ -43,8 +43,8 @@ std::vector<SweepInput> inputs_of(const SweepFile& sweep) {
 
 SweepBase base_of(const SweepFile& sweep) {
   const std::string name = sweep.base.string();
-  SweepBase base{parse_toml(base_text(sweep.base, sweep.place_of_base()), name), name};
-  base.choose(sweep.outputs, sweep.place_of_outputs());
+  SweepBase base{parse_toml(base_text(sweep.base, sweep.base_location()), name), name};
+  base.choose(sweep.outputs, sweep.outputs_location());
   return base;
 }
 

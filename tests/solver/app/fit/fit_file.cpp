@@ -71,9 +71,10 @@ BOOST_AUTO_TEST_CASE(errors_of_several_tables_are_reported_together) {
     const std::string message = error.what();
     BOOST_TEST(message.find("f.toml:4: input 1: column: found \"t\"; it must be a column of ") != std::string::npos,
                message);
-    BOOST_TEST(message.find("f.toml:11: parameter 1: range: found [4.0, 1.0]; the first must be less than the second") !=
-                   std::string::npos,
-               message);
+    BOOST_TEST(
+        message.find("f.toml:11: parameter 1: range: found [4.0, 1.0]; the first must be less than the second") !=
+            std::string::npos,
+        message);
   }
 }
 
