@@ -150,7 +150,6 @@ int plan(const SweepOptions& options) {
   SweptRuns made = of_file(file, [&] { return swept_runs(described); });
   sweep.runs = std::move(made.runs);
   base.check_axes(described, sweep.runs.front());
-  of_file(file, [&] { check_fields(base.document(), sweep.runs.front()); });
   const std::vector<Sample> samples = samples_of(sweep, base);
   if (std::ranges::all_of(samples, [](const Sample& of) { return of.result.end == SweepEnd::refused; })) {
     throw InputError{fmt::format("{}: run {} is refused, as are all that were tried: {}", file.string(),

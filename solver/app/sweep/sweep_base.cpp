@@ -86,6 +86,7 @@ void SweepBase::check_axes(const SweepFile& sweep, const SweptRun& run) const {
                     "e.g. [0.0, 1.0], or give `values`",
                     sweep.axis_location(i), field)};
   }
+  of_file(sweep.file, [&] { check_fields(document(), run); });
 }
 
 double SweepBase::end(const SweptRun& run) const {

@@ -30,7 +30,7 @@ class SweepBase {
   bool is_fence() const;
 
   /// Errors: InputError for an axis whose field the base does not have, or of whole numbers whose field takes other
-  /// numbers, too, in this run: of such a field `range = [0, 1]` hardly means two values.
+  /// numbers, too, in this run: of such a field `range = [0, 1]` hardly means two values; and for two names of a field.
   void check_axes(const SweepFile& sweep, const SweptRun& run) const;
 
   /// Time at which a run is planned to end [T]. Errors: InputError for a wrong field or value.

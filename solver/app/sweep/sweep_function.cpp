@@ -66,7 +66,6 @@ SweepFunction::SweepFunction(const std::filesystem::path& file)
     }
   });
   base_.check_axes(sweep_, first);
-  of_file(file, [&] { check_fields(base_.document(), first); });
 }
 
 std::string SweepFunction::unit(const SweepOutput& output) const {
