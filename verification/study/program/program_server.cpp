@@ -14,8 +14,12 @@ namespace {
 
 constexpr const char* server_output = "server.txt";
 
-template <class Result>
-ServerAnswer answer_of(const Result& result) {
+/// The answer to what `request` sends, for which a busy machine has a minute.
+template <class Request>
+ServerAnswer answer_of(int port, Request&& request) {
+  httplib::Client client{"127.0.0.1", port};
+  client.set_read_timeout(std::chrono::minutes{1});
+  const httplib::Result result = request(client);
   if (!result) return {};
   return {result->status, records::Json::parse(result->body)};
 }
@@ -58,13 +62,11 @@ int ProgramServer::port() {
 }
 
 ServerAnswer ProgramServer::get(const std::string& path) {
-  httplib::Client client{"127.0.0.1", port()};
-  return answer_of(client.Get(path));
+  return answer_of(port(), [&](httplib::Client& client) { return client.Get(path); });
 }
 
 ServerAnswer ProgramServer::post(const std::string& path, const records::Json& body) {
-  httplib::Client client{"127.0.0.1", port()};
-  return answer_of(client.Post(path, body.dump(), "application/json"));
+  return answer_of(port(), [&](httplib::Client& client) { return client.Post(path, body.dump(), "application/json"); });
 }
 
 }  // namespace talus::verification::problems
