@@ -81,6 +81,15 @@ void check_warnings(Findings& findings) {
                            said[1].ends_with("overlap by 0.75 ft") && said[0].find("2.5 ft") != std::string::npos &&
                            said[1].find("2.5 ft") != std::string::npos,
                        "columns 2.5 ft wide at distances of 2 ft and 1.75 ft");
+  scenes::Fence wide = sound;
+  wide.spacing = 3.0;
+  wide.changed_columns = {{1, 2.0, sound.column.b, sound.column.density, sound.y_top, sound.y_bottom}};
+  const std::vector<std::string> of_width = scenes::implausible_geometry(wide, scenes::fence_scene(wide));
+  findings.expect_true(
+      "width and spacing given in the warning of a changed column",
+      of_width.size() == 1 &&
+          of_width[0] == "changed_column: a column of a width of 4 ft overlaps its neighbours, 3 ft apart",
+      "a half-width of 2 ft next to columns of 1.25 ft");
   findings.expect_exact("number of warning limits with a missing, wrong or additional warning", wrong, 0.0,
                         "a count of ten limits; tested a ten-thousandth to either side");
 }
