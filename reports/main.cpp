@@ -17,6 +17,8 @@ namespace {
 struct Options {
   std::string verify;
   std::string report;
+  std::string audits;
+  std::string rounding;
   std::string plot;
   std::string to;
   std::string sheet;
@@ -38,6 +40,11 @@ void describe(CLI::App& app, Options& options) {
       "or a tool is missing; what can be made without it is there.");
   app.add_option("verify", options.verify, "folder with results.json and the cases' folders (build/verify)");
   app.add_option("report", options.report, "folder to write the report to (build/report)");
+  app.add_option("--audits", options.audits,
+                 "folder of recorded audits (verification/audits), for those that VERIFY does not have")
+      ->check(CLI::ExistingDirectory);
+  app.add_option("--rounding", options.rounding,
+                 "write rounding.json: VERIFY compared with VERIFY/rounding/{upward,downward,toward_zero}");
   app.add_flag("--check", options.check,
                "do not write the report, but check the one in REPORT: each of its numbers must be in VERIFY");
   app.add_option("--plot", options.plot, "a run's folder: draw the figures of its plot.json");
@@ -75,7 +82,7 @@ int print(const talus::reports::Made& made) {
 /// Prints the numbers of the report that are not in the records; returns the exit status.
 int check(const Options& options, const talus::reports::ToolPaths& tools) {
   const std::vector<std::string> wrong =
-      talus::reports::unfounded_numbers(options.verify, options.report, tools.resources / "templates");
+      talus::reports::unfounded_numbers(options.verify, options.report, tools.resources / "templates", tools.audits);
   if (wrong.empty()) return 0;
   std::string message = "talus_report: numbers of the report that are not in the records:\n";
   for (const std::string& number : wrong)
@@ -85,8 +92,12 @@ int check(const Options& options, const talus::reports::ToolPaths& tools) {
 }
 
 int work(const Options& options) {
-  const talus::reports::ToolPaths tools{talus::reports::find_resources(), options.jobs};
+  const talus::reports::ToolPaths tools{talus::reports::find_resources(), options.jobs, options.audits};
   if (options.check) return check(options, tools);
+  if (!options.rounding.empty()) {
+    talus::reports::write_rounding_audit(options.verify, options.rounding);
+    return 0;
+  }
   const std::set<std::string> formats(options.formats.begin(), options.formats.end());
   if (!options.plot.empty()) {
     const std::filesystem::path run = options.plot;
@@ -114,12 +125,14 @@ int main(int argc, char** argv) {
   talus::refuse_empty_values(app);
   try {
     app.parse(argc, argv);
-    const int jobs = (!options.verify.empty() && !options.report.empty()) + !options.plot.empty() +
+    const bool rounding = !options.rounding.empty();
+    const int jobs = (!options.verify.empty() && !options.report.empty()) + rounding + !options.plot.empty() +
                      !options.sheet.empty() + !options.site.empty() + !options.sketches.empty();
-    if (jobs != 1 || options.verify.empty() != options.report.empty()) {
+    if (jobs != 1 || options.verify.empty() != (options.report.empty() && !rounding)) {
       throw CLI::ValidationError(
-          "give either two folders, VERIFY and REPORT, or --plot DIR, --sheet DIR, --site FILES --to DIR, or "
-          "--sketches FILES --to DIR");
+          "give either two folders, VERIFY and REPORT, or VERIFY --rounding FILE, --plot DIR, --sheet DIR, --site "
+          "FILES "
+          "--to DIR, or --sketches FILES --to DIR");
     }
     if (options.check && options.report.empty()) throw CLI::ValidationError("--check requires VERIFY and REPORT");
     if (!(options.site.empty() && options.sketches.empty()) && options.to.empty())

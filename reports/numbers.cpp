@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <regex>
 
+#include "verification/record/audits.hpp"
 #include "verification/record/whole_file.hpp"
 
 namespace talus::reports {
@@ -143,29 +144,56 @@ void collect_scores(const json& mutants, std::set<double>& numbers) {
   numbers.insert({100.0 * (middle - half), 100.0 * (middle + half)});
 }
 
+/// The sums over the readers of mutated files.
+void collect_readers(const json& fuzz, std::set<double>& numbers) {
+  std::map<std::string, double> sums;
+  for (const json& reader : fuzz.at("readers")) {
+    for (const auto& [name, value] : reader.items())
+      if (value.is_number()) sums[name] += value.get<double>();
+  }
+  for (const auto& [name, sum] : sums)
+    numbers.insert(sum);
+}
+
+/// The fractions of executed lines and branches of each file, each folder and all, and their sums.
+void collect_lines(const json& lines, std::set<double>& numbers) {
+  std::map<std::string, std::map<std::string, double>> sums;
+  for (const json& source : lines.at("files")) {
+    const std::string file = source.at("filename");
+    for (const std::string& group : {std::string("all"), file, file.substr(0, file.rfind('/'))}) {
+      for (const char* count : {"line_total", "line_covered", "branch_total", "branch_covered"})
+        sums[group][count] += source.at(count).get<double>();
+    }
+  }
+  for (auto& [group, of] : sums) {
+    for (const std::string kind : {"line", "branch"}) {
+      const double total = of[kind + "_total"];
+      numbers.insert({total, total > 0.0 ? 100.0 * of[kind + "_covered"] / total : 100.0});
+    }
+  }
+}
+
 }  // namespace
 
 std::size_t count_of_numbers(const std::string& markdown) { return numbers_in(visible(markdown)).size(); }
 
-std::set<double> numbers_of_records(const fs::path& verify, const fs::path& templates) {
+std::set<double> numbers_of_records(const fs::path& verify, const fs::path& templates, const fs::path& audits) {
   std::set<double> numbers{1.5};  // by which the details perturb references
   const json results = json::parse(read_whole(verify / "results.json"));
   collect(results, numbers);
   collect_sums(results, numbers);
-  if (fs::exists(verify / "mutants.json")) {
-    const json mutants = json::parse(read_whole(verify / "mutants.json"));
-    collect(mutants, numbers);
-    collect_scores(mutants, numbers);
+  for (const std::string audit : records::audit_names) {
+    const fs::path file = records::audit_file(audit, verify, audits);
+    if (file.empty()) continue;
+    const json found = json::parse(read_whole(file));
+    collect(found, numbers);
+    if (audit == "mutants" || audit == "gate") collect_scores(found, numbers);
+    if (audit == "interface") collect_counts(found, numbers);
+    if (audit == "fuzz") collect_readers(found, numbers);
+    if (audit == "lines") collect_lines(found, numbers);
   }
-  if (fs::exists(verify / "interface.json")) {
-    const json interface = json::parse(read_whole(verify / "interface.json"));
-    collect(interface, numbers);
-    collect_counts(interface, numbers);
-  }
-  for (const char* mode : {"upward", "downward", "toward_zero"}) {
-    const fs::path file = verify / "rounding" / mode / "results.json";
-    if (fs::exists(file)) collect(json::parse(read_whole(file)), numbers);
-  }
+  if (!audits.empty() && fs::exists(audits / "origins.json"))
+    collect(json::parse(read_whole(audits / "origins.json")), numbers);
   for (const auto& entry : fs::directory_iterator(templates / "chapters"))
     collect(read_whole(entry.path()), numbers);
   return numbers;
@@ -182,8 +210,9 @@ std::vector<std::string> unfounded_numbers(const std::string& markdown, const st
   return wrong;
 }
 
-std::vector<std::string> unfounded_numbers(const fs::path& verify, const fs::path& report, const fs::path& templates) {
-  const std::set<double> known = numbers_of_records(verify, templates);
+std::vector<std::string> unfounded_numbers(const fs::path& verify, const fs::path& report, const fs::path& templates,
+                                           const fs::path& audits) {
+  const std::set<double> known = numbers_of_records(verify, templates, audits);
   std::vector<std::string> wrong;
   for (const char* name : {"verification.md", "verification-details.md"}) {
     for (const std::string& number : unfounded_numbers(read_whole(report / name), known))

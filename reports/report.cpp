@@ -20,6 +20,7 @@
 #include "reports/text/document.hpp"
 #include "reports/text/markdown.hpp"
 #include "solver/threads/parallel_for.hpp"
+#include "verification/record/audits.hpp"
 #include "verification/record/whole_file.hpp"
 
 namespace talus::reports {
@@ -46,12 +47,12 @@ void copy_data(const Results& results, const fs::path& verify, const fs::path& r
 bool broke_off(const Record& record) { return !finished(record.status); }
 
 /// One script for each case, one for the margin chart, and one for the mutants.
-std::vector<Drawing> drawings_of(const Results& results, const Trials& trials, const fs::path& verify,
+std::vector<Drawing> drawings_of(const Results& results, const records::Audits& audits, const fs::path& verify,
                                  const Canvas& canvas, Drawn& drawn) {
   std::vector<Drawing> drawings{{"the margin chart", margin_script(results, canvas, "margins")}};
-  if (trials.mutants) {
+  if (audits.mutants) {
     std::string script;
-    for (const Figure& figure : mutants_figures(*trials.mutants))
+    for (const Figure& figure : mutants_figures(*audits.mutants))
       script += figure_script(plot_of(figure), canvas, "mutants-" + figure.name);
     if (!script.empty()) drawings.push_back({"the mutants", script});
   }
@@ -104,18 +105,6 @@ std::vector<Drawing> drawings_of(const Results& results, const Trials& trials, c
     if (!script.empty()) drawings.push_back({"case " + record.id, script});
   }
   return drawings;
-}
-
-/// Reads verify/mutants.json, verify/interface.json and verify/rounding/MODE/results.json, if they exist.
-Trials read_trials(const fs::path& verify) {
-  Trials trials;
-  if (fs::exists(verify / "mutants.json")) trials.mutants = records::read_mutants(verify / "mutants.json");
-  if (fs::exists(verify / "interface.json")) trials.interface = records::read_interface(verify / "interface.json");
-  for (const char* rounding : {"upward", "downward", "toward_zero"}) {
-    const fs::path file = verify / "rounding" / rounding / "results.json";
-    if (fs::exists(file)) trials.rounded.emplace(rounding, records::read_results(file));
-  }
-  return trials;
 }
 
 /// The site's pages: a case is found by the names of its checks, too.
@@ -203,7 +192,7 @@ fs::path find_resources() {
 
 Made make_report(const fs::path& verify, const fs::path& report, const ToolPaths& tools) {
   const Results results = records::read_results(verify / "results.json");
-  const Trials trials = read_trials(verify);
+  const records::Audits audits = records::read_audits(verify, tools.audits);
   const StagingFolder staging(report);
   const fs::path figures = staging.folder() / "figures";
   fs::create_directory(figures);
@@ -211,7 +200,7 @@ Made make_report(const fs::path& verify, const fs::path& report, const ToolPaths
   copy_data(results, verify, staging.folder());
   const Canvas canvas{tools.resources / "gnuplot" / "preamble.gp", figures, {"pdf", "svg"}};
   Drawn drawn;
-  const std::vector<Drawing> drawings = drawings_of(results, trials, verify, canvas, drawn);
+  const std::vector<Drawing> drawings = drawings_of(results, audits, verify, canvas, drawn);
 
   const long long epoch = records::epoch_seconds(results.provenance.date);
   const auto volume = [&](Volume which, const char* title) {
@@ -229,7 +218,7 @@ Made make_report(const fs::path& verify, const fs::path& report, const ToolPaths
     references = fmt::format("```\n{}\n```\n", results.bibliography);
   std::vector<ReportPage> pages;
   const auto write_markdown = [&] {
-    pages = report_pages(results, trials, drawn, tools.resources / "templates", references, versions);
+    pages = report_pages(results, audits, drawn, tools.resources / "templates", references, versions);
     for (const Volume which : volumes)
       records::write_whole(staging.folder() / (stem_of(which) + ".md"), volume_text(pages, which));
   };
@@ -284,6 +273,13 @@ Made make_report(const fs::path& verify, const fs::path& report, const ToolPaths
   for (const Volume which : volumes)
     publish(stem_of(which) + ".pdf", no_pdf.empty());
   return made;
+}
+
+void write_rounding_audit(const fs::path& verify, const fs::path& file) {
+  std::vector<std::pair<std::string, Results>> rounded;
+  for (const char* mode : {"upward", "downward", "toward_zero"})
+    rounded.emplace_back(mode, records::read_results(verify / "rounding" / mode / "results.json"));
+  records::write_rounding(records::rounding_audit(records::read_results(verify / "results.json"), rounded), file);
 }
 
 Made make_pages(const std::vector<fs::path>& files, const std::string& title, const fs::path& target,

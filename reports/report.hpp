@@ -14,6 +14,7 @@ namespace talus::reports {
 struct ToolPaths {
   std::filesystem::path resources;  ///< contains templates/, gnuplot/ and pandoc/
   unsigned jobs{1};                 ///< maximum number of processes at a time
+  std::filesystem::path audits{};   ///< folder of recorded audits; empty: those of the reported run alone
 };
 
 /// Folder that contains templates/, gnuplot/ and pandoc/: share/talus beside the executable's folder when installed,
@@ -30,14 +31,18 @@ struct Made {
 
 /// Makes the volumes report/verification and report/verification-details, each as .md and .pdf, the site
 /// report/html/index.html with a page for each case, report/figures/ and report/data/ (the points of the figures), from
-/// verify/results.json and the CSV files in verify/<id>/. All appear together at the end, or none. What needs a tool
-/// that is missing or fails is left out, and an earlier one removed: pictures without gnuplot (text and tables then say
-/// so), HTML and PDF without pandoc, PDF without pdflatex. Throws RecordError when a record is wrong, OutputError when
-/// a folder is, FileError.
+/// verify/results.json, the CSV files in verify/<id>/ and audits (see records::read_audits()). All appear together at
+/// the end, or none. What needs a tool that is missing or fails is left out, and an earlier one removed: pictures
+/// without gnuplot (text and tables then say so), HTML and PDF without pandoc, PDF without pdflatex. Throws RecordError
+/// when a record is wrong, OutputError when a folder is, FileError.
 ///
 /// A figure that cannot be drawn is an error, except in an interrupted case (error, timeout, missing): then the page
 /// gives the reason.
 Made make_report(const std::filesystem::path& verify, const std::filesystem::path& report, const ToolPaths& tools);
+
+/// Writes rounding.json: verify/results.json compared with verify/rounding/MODE/results.json, for the modes upward,
+/// downward and toward_zero. Throws RecordError and FileError.
+void write_rounding_audit(const std::filesystem::path& verify, const std::filesystem::path& file);
 
 /// Draws into `target`: figures and pages in each of the formats (ps, pdf, svg, png), animations as GIF, players as
 /// HTML. Players need no tool: without gnuplot only they are made. Throws RecordError as demand_sound() and plot_of()

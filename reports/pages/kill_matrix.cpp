@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace talus::reports {
 
@@ -45,20 +46,34 @@ Score score_of(const std::vector<const MutantRecord*>& mutants) {
   return score;
 }
 
-Mutants without_recorded(Mutants mutants) {
-  std::set<std::string> recorded;
+namespace {
+
+/// Leaves out the cases for which `omitted` holds.
+template <class Omitted>
+Mutants without(Mutants mutants, Omitted omitted) {
+  std::set<std::string> left_out;
   for (const records::UnchangedCase& one : mutants.cases) {
-    if (one.recorded) recorded.insert(one.id);
+    if (omitted(one)) left_out.insert(one.id);
   }
-  std::erase_if(mutants.cases, [](const records::UnchangedCase& one) { return one.recorded; });
+  std::erase_if(mutants.cases, omitted);
   for (MutantRecord& mutant : mutants.mutants) {
-    std::erase_if(mutant.trials, [&](const Trial& trial) { return recorded.contains(trial.case_id); });
-    std::erase_if(mutant.covered_by, [&](const std::string& id) { return recorded.contains(id); });
+    std::erase_if(mutant.trials, [&](const Trial& trial) { return left_out.contains(trial.case_id); });
+    std::erase_if(mutant.covered_by, [&](const std::string& id) { return left_out.contains(id); });
     const bool noticed = std::any_of(mutant.trials.begin(), mutant.trials.end(), records::kills);
     if (mutant.status == records::MutantStatus::killed && !noticed)
       mutant.status = mutant.covered_by.empty() ? records::MutantStatus::unreached : records::MutantStatus::survived;
   }
   return mutants;
+}
+
+}  // namespace
+
+Mutants without_recorded(Mutants mutants) {
+  return without(std::move(mutants), [](const records::UnchangedCase& one) { return one.recorded; });
+}
+
+Mutants of_matrix(Mutants mutants) {
+  return without(std::move(mutants), [](const records::UnchangedCase& one) { return !one.in_matrix; });
 }
 
 bool kills_at(const Trial& trial, double factor) {

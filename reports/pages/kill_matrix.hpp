@@ -40,6 +40,9 @@ template <class Name>
 /// The mutants without the cases that compare with recorded results: mutants killed only by these have survived.
 [[nodiscard]] Mutants without_recorded(Mutants mutants);
 
+/// The mutants with the cases of the matrix alone: those killed only by longer cases have survived.
+[[nodiscard]] Mutants of_matrix(Mutants mutants);
+
 /// True if a trial would still be red if every bound of its checks were multiplied by `factor`.
 [[nodiscard]] bool kills_at(const Trial& trial, double factor);
 

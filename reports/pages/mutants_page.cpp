@@ -213,7 +213,7 @@ std::string who_kills(const Mutants& mutants, const Results& results) {
 std::vector<Figure> mutants_figures(const Mutants& mutants) {
   std::vector<Figure> figures{matrix_figure(mutants)};
   if (mutants.whole_matrix && score_of(generated(mutants)).counted() > 0) {
-    const Mutants independent = without_recorded(mutants);
+    const Mutants independent = of_matrix(without_recorded(mutants));
     figures.push_back(greedy_figure(independent));
     figures.push_back(tolerance_figure(independent));
   }
@@ -261,7 +261,7 @@ std::string mutants_text(const Mutants& mutants, const Results& results, bool pi
     for (const Figure& figure : mutants_figures(mutants))
       text += figure_link(figure);
   }
-  if (mutants.whole_matrix) text += who_kills(others, results);
+  if (mutants.whole_matrix) text += who_kills(of_matrix(others), results);
   if (!bugs.empty()) text += "## Bugs written by hand\n\n" + bug_list(mutants, results) + "\n";
   const std::string survived = list_of(mutants, MutantStatus::survived);
   if (!survived.empty()) text += "## Survivors\n\nCases evaluate them, and stay green.\n\n" + survived + "\n";
@@ -270,6 +270,15 @@ std::string mutants_text(const Mutants& mutants, const Results& results, bool pi
   const std::string equivalent = list_of(mutants, MutantStatus::equivalent);
   if (!equivalent.empty()) text += "## Equivalent\n\nThey change no result.\n\n" + equivalent + "\n";
   return text;
+}
+
+std::string gate_text(const Mutants& mutants) {
+  const Score score = score_of(generated(mutants));
+  const Score bugs = score_of(written(mutants));
+  const std::string survived = list_of(mutants, MutantStatus::survived) + list_of(mutants, MutantStatus::unreached);
+  return fmt::format("**Gate of this run.** By {} cases: {} of {} generated mutants, and {} of {} written bugs.\n\n{}",
+                     mutants.cases.size(), score.killed, score.counted(), bugs.killed, bugs.counted(),
+                     survived.empty() ? "" : "Of the gate's mutants, these remain:\n\n" + survived + "\n");
 }
 
 }  // namespace talus::reports

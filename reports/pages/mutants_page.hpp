@@ -16,4 +16,7 @@ namespace talus::reports {
 /// The chapter as Markdown, without its heading; with its figures if `pictures`.
 [[nodiscard]] std::string mutants_text(const records::Mutants& mutants, const Results& results, bool pictures);
 
+/// Score and survivors of the small sample that the full tier runs.
+[[nodiscard]] std::string gate_text(const records::Mutants& mutants);
+
 }  // namespace talus::reports

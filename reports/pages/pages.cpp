@@ -7,6 +7,7 @@
 
 #include "reports/base/error.hpp"
 #include "reports/pages/appendix.hpp"
+#include "reports/pages/audits_page.hpp"
 #include "reports/pages/claims.hpp"
 #include "reports/pages/comparisons.hpp"
 #include "reports/pages/coverage.hpp"
@@ -14,6 +15,7 @@
 #include "reports/pages/interface_page.hpp"
 #include "reports/pages/mutants_page.hpp"
 #include "reports/pages/page_cells.hpp"
+#include "reports/pages/rounding.hpp"
 #include "reports/pages/summary.hpp"
 #include "reports/text/markdown.hpp"
 
@@ -97,9 +99,27 @@ const ReportPage& page_of(const std::vector<ReportPage>& pages, const std::strin
   return *found;
 }
 
+/// The chapters on audits; one that is neither of this run nor recorded gives the command that makes it.
+void set_audits(mustache::data& values, const records::Audits& audits, const Results& results, const Drawn& drawn) {
+  const auto set = [&](const char* audit, const char* command, const auto& found, auto&& text_of) {
+    values.set(audit, found ? origin_text(audits, audit) + text_of(*found)
+                            : fmt::format("Not measured in this run: {} does so.\n", markdown::code(command)));
+  };
+  set("mutants", "make mutants", audits.mutants,
+      [&](const records::Mutants& mutants) { return mutants_text(mutants, results, drawn.no_pictures.empty()); });
+  values.set("gate", audits.gate ? gate_text(*audits.gate) : "");
+  set("interface", "make interface", audits.interface, interface_text);
+  set("rounding", "scripts/nightly rounding", audits.rounding,
+      [&](const records::RoundingAudit& rounding) { return rounding_text(rounding, results); });
+  set("fuzz", "make fuzz", audits.fuzz, fuzz_text);
+  set("faults", "make faults", audits.faults, faults_text);
+  set("lines", "scripts/coverage", audits.lines, lines_text);
+  values.set("defects", audits.defects.empty() ? "The list is not at hand.\n" : defects_text(audits.defects, results));
+}
+
 }  // namespace
 
-std::vector<ReportPage> report_pages(const Results& results, const Trials& trials, const Drawn& drawn,
+std::vector<ReportPage> report_pages(const Results& results, const records::Audits& audits, const Drawn& drawn,
                                      const std::filesystem::path& templates, const std::string& references,
                                      const std::string& tools) {
   std::vector<ReportPage> pages;
@@ -113,22 +133,14 @@ std::vector<ReportPage> report_pages(const Results& results, const Trials& trial
   pages.push_back(
       {"index", first_heading(front_text), "", front_text, filled(templates / "details_front.mustache", first)});
   mustache::data values;
-  values.set("coverage", coverage(results, trials.mutants ? &*trials.mutants : nullptr));
+  values.set("coverage", coverage(results, audits.mutants ? &*audits.mutants : nullptr));
   values.set("ladder", ladder_of_claims(results));
   values.set("claims", claims_of_cases(results));
   values.set("formulas", common_formulas(results));
   values.set("peers", checks_of_peers(results));
   values.set("errata", errata(results));
   values.set("provenance", provenance(results));
-  values.set("rounding",
-             trials.rounded.empty()
-                 ? "The cases were not run under other roundings in this run: `scripts/nightly rounding` does so.\n"
-                 : rounding_text(results, trials.rounded));
-  values.set("interface", trials.interface.empty()
-                              ? "The interface was not changed in this run: `scripts/interface` does so.\n"
-                              : interface_text(trials.interface));
-  values.set("mutants", trials.mutants ? mutants_text(*trials.mutants, results, drawn.no_pictures.empty())
-                                       : "The cases were not run with mutants in this run: `make mutants` does so.\n");
+  set_audits(values, audits, results, drawn);
   values.set("perturbed", perturbed_references(results));
   values.set("traceability", traceability(results));
   values.set("references", references.empty() ? "None.\n" : references);
@@ -152,8 +164,8 @@ std::vector<ReportPage> report_pages(const Results& results, const Trials& trial
   for (const std::string& name : results.families)
     family(name);
   family("");
-  for (const char* name : {"formulas", "peers", "margins", "mutants", "interface", "rounding", "traceability",
-                           "references", "provenance", "colophon"})
+  for (const char* name : {"formulas", "peers", "margins", "mutants", "interface", "rounding", "fuzz", "faults",
+                           "lines", "defects", "traceability", "references", "provenance", "colophon"})
     chapter(name, values, Volume::details);
   return pages;
 }

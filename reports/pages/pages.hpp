@@ -3,14 +3,11 @@
 
 #include <filesystem>
 #include <map>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "reports/base/record.hpp"
-#include "reports/pages/rounding.hpp"
-#include "verification/record/interface.hpp"
-#include "verification/record/mutants.hpp"
+#include "verification/record/audits.hpp"
 
 namespace talus::reports {
 
@@ -45,13 +42,6 @@ struct Drawn {
 [[nodiscard]] std::string case_details(const Record& record, std::size_t chapter, const Drawn& drawn,
                                        const std::filesystem::path& templates);
 
-/// Further results on the cases, obtained outside the reported run; absent if not measured.
-struct Trials {
-  std::optional<records::Mutants> mutants{};         ///< results of the cases on mutants
-  std::vector<records::InterfaceItem> interface {};  ///< results of the cases with the program's interface changed
-  RoundedResults rounded{};                          ///< results of the cases under other rounding modes
-};
-
 /// A page of the report: of a case, or of a chapter. On paper its two texts are in two volumes, in the site they follow
 /// each other. Links to other pages are written `](page:NAME)` and `](details:NAME)`; see resolved().
 struct ReportPage {
@@ -66,8 +56,8 @@ struct ReportPage {
 /// is the folder of the Mustache templates; `references` is the list of references as Markdown, empty if there are
 /// none; `tools` is a line naming the tools' versions. Throws OutputError when a template is missing or wrong,
 /// RecordError when a finding or highlight names what its case does not have.
-[[nodiscard]] std::vector<ReportPage> report_pages(const Results& results, const Trials& trials, const Drawn& drawn,
-                                                   const std::filesystem::path& templates,
+[[nodiscard]] std::vector<ReportPage> report_pages(const Results& results, const records::Audits& audits,
+                                                   const Drawn& drawn, const std::filesystem::path& templates,
                                                    const std::string& references, const std::string& tools);
 
 /// The two documents on paper, each a Markdown file and what is made from it.

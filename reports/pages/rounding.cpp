@@ -14,49 +14,34 @@ namespace {
 using markdown::cell;
 using Rows = std::vector<std::vector<std::string>>;
 
-std::string ratio_text(const Check* check) {
-  if (check == nullptr) return "not made";
-  const std::string text = records::margin_text(check->margin, check->pass, 2);
-  return check->pass ? text : "**" + text + "**";
+std::string ratio_text(const records::RoundedResult& result) {
+  if (!result.made) return "not made";
+  const std::string text = records::margin_text(result.margin, result.holds, 2);
+  return result.holds ? text : "**" + text + "**";
 }
-
-bool holds(const Check* check) { return check != nullptr && check->pass; }
 
 }  // namespace
 
-std::string rounding_text(const Results& nearest, const RoundedResults& rounded) {
-  std::map<std::string, std::map<std::string, std::size_t>> failed;  // by kind and rounding mode
-  std::map<std::string, std::size_t> all;
-  std::vector<markdown::Column> columns{{"case"}, {"check"}, {"kind"}, {"nearest", true}};
-  for (const auto& [rounding, results] : rounded)
-    columns.push_back({cell(rounding), true});
-  Rows rows;
-  for (const Record& record : nearest.records) {
-    for (const Check& check : record.checks) {
-      const std::string kind = name_of(check.kind);
-      ++all[kind];
-      std::vector<std::string> row{case_link(record), cell(check.name), cell(kind), ratio_text(&check)};
-      bool any = false;
-      for (const auto& [rounding, results] : rounded) {
-        const Check* const other = check_of(results, record.id, check.name);
-        row.push_back(ratio_text(other));
-        if (holds(other)) continue;
-        any = true;
-        ++failed[kind][rounding];
-      }
-      if (any) rows.push_back(std::move(row));
-    }
-  }
+std::string rounding_text(const records::RoundingAudit& audit, const Results& results) {
   std::vector<markdown::Column> heads{{"kind of bound"}, {"checks", true}};
-  for (const auto& [rounding, results] : rounded)
-    heads.push_back({"fail " + cell(rounding), true});
-  Rows sums;
-  for (const auto& [kind, count] : all) {
-    sums.push_back({cell(kind), fmt::format("{}", count)});
-    for (const auto& [rounding, results] : rounded)
-      sums.back().push_back(fmt::format("{}", failed[kind][rounding]));
+  std::vector<markdown::Column> columns{{"case"}, {"check"}, {"kind"}, {"nearest", true}};
+  for (const std::string& mode : audit.modes) {
+    heads.push_back({"fail " + cell(mode), true});
+    columns.push_back({cell(mode), true});
   }
-  std::string text = markdown::table(heads, sums, "") + "\n";
+  Rows sums, rows;
+  for (const records::RoundedKind& kind : audit.kinds) {
+    sums.push_back({cell(name_of(kind.kind)), fmt::format("{}", kind.checks)});
+    for (const std::size_t failed : kind.failed)
+      sums.back().push_back(fmt::format("{}", failed));
+  }
+  for (const records::RoundedCheck& check : audit.checks) {
+    rows.push_back(
+        {link_of(results, check.case_id), cell(check.check), cell(name_of(check.kind)), ratio_text(check.nearest)});
+    for (const records::RoundedResult& rounded : check.rounded)
+      rows.back().push_back(ratio_text(rounded));
+  }
+  const std::string text = markdown::table(heads, sums, "") + "\n";
   if (rows.empty()) return text + "No check fails under another rounding.\n";
   return text + "Error/bound of the checks that fail under another rounding (bold):\n\n" +
          markdown::table(columns, rows, "");

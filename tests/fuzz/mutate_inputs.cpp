@@ -9,9 +9,9 @@
 #include <cstdlib>
 #include <exception>
 #include <fstream>
-#include <nlohmann/json.hpp>
 
 #include "tests/fuzz/input_campaign.hpp"
+#include "verification/record/audits.hpp"
 
 /// Options of the address sanitizer: a request for more memory throws std::bad_alloc, as without it.
 extern "C" const char* __asan_default_options() {
@@ -81,24 +81,13 @@ int replay(const Reader& reader, const fs::path& file, const fs::path& scratch) 
   return reading.flaw.empty() ? 0 : 1;
 }
 
-nlohmann::ordered_json json_of(const Tally& tally) {
-  auto findings = nlohmann::ordered_json::array();
-  for (const Finding& finding : tally.findings)
-    findings.push_back({{"input", finding.input}, {"what", finding.what}, {"file", finding.file.string()}});
-  return {{"reader", tally.reader},   {"inputs", tally.inputs},       {"accepted", tally.accepted},
-          {"refused", tally.refused}, {"cut_short", tally.cut_short}, {"seconds", tally.seconds},
-          {"findings", findings},     {"messages", tally.messages}};
-}
-
-/// Writes JSON to a temporary file, then renames it.
-void write_json(const std::vector<Tally>& tallies, const CampaignPlan& plan, const fs::path& file) {
-  auto readers = nlohmann::ordered_json::array();
+talus::records::FuzzAudit audit_of(const std::vector<Tally>& tallies, std::uint64_t seed) {
+  talus::records::FuzzAudit audit{seed, {}};
+  const auto count = [](long number) { return static_cast<std::size_t>(number); };
   for (const Tally& tally : tallies)
-    readers.push_back(json_of(tally));
-  const nlohmann::ordered_json all{{"schema", 1}, {"seed", plan.seed}, {"readers", readers}};
-  const fs::path unfinished = file.string() + ".unfinished";
-  std::ofstream{unfinished} << all.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
-  fs::rename(unfinished, file);
+    audit.readers.push_back({tally.reader, count(tally.inputs), count(tally.accepted), count(tally.refused),
+                             count(tally.cut_short), tally.seconds, tally.findings.size()});
+  return audit;
 }
 
 int run(const std::vector<Reader>& readers, const Options& options, const fs::path& scratch) {
@@ -118,7 +107,7 @@ int run(const std::vector<Reader>& readers, const Options& options, const fs::pa
       fmt::print("  {:>7} {}\n", count, pattern);
     std::fflush(stdout);
     findings += tally.findings.size();
-    if (!options.json.empty()) write_json(tallies, options.plan, options.json);
+    if (!options.json.empty()) talus::records::write_fuzz(audit_of(tallies, options.plan.seed), options.json);
   }
   return findings == 0 ? 0 : 1;
 }
@@ -134,7 +123,7 @@ void describe(CLI::App& app, Options& options) {
   app.add_option("--seconds", options.plan.cpu_seconds, "processor time that an input may take [s]")
       ->check(CLI::Range(1L, 3600L));
   app.add_option("--findings", options.plan.findings, "folder in which inputs that are findings are kept");
-  app.add_option("--json", options.json, "file for the table's numbers, all findings and messages");
+  app.add_option("--json", options.json, "file for the table's numbers");
   app.add_flag("--messages", options.plan.messages,
                "list the distinct errors of each reader, without numbers and names");
   app.add_option("--corpus", options.corpus, "write the sound files into this folder, one folder a reader, and end");

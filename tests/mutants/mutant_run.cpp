@@ -52,8 +52,7 @@ struct Options {
   unsigned jobs = 0;
   double build_seconds = 0.0;
   double minimum_score = 0.0;
-  double longest = std::numeric_limits<double>::infinity();
-  bool matrix = false;
+  double longest = 0.0;
   bool full = false;
   std::vector<std::string> only;
   std::vector<std::string> cases;
@@ -308,10 +307,13 @@ struct Passage {
   std::size_t next{};
   bool busy{};
 
-  [[nodiscard]] bool ended(bool matrix) const {
-    const bool all = matrix || concerns_every_case(*mutant);
-    return next == cases.size() || (!all && mutant->status == MutantStatus::killed);
+  /// After the first kill only cases of at most this processor time [s] are run.
+  void leave_out(double longest) {
+    if (mutant->status != MutantStatus::killed || concerns_every_case(*mutant)) return;
+    while (next < cases.size() && cases[next]->seconds > longest)
+      ++next;
   }
+  [[nodiscard]] bool ended() const { return next == cases.size(); }
 };
 
 /// Order of the cases: those that a bug names first, then by time; those that compare with recorded results last, so
@@ -370,7 +372,7 @@ void run_mutants(records::Mutants& mutants, const std::vector<Unchanged>& unchan
       [&](std::size_t& task) -> std::optional<Request> {
         Passage* first = nullptr;
         for (Passage& passage : passages) {
-          if (passage.busy || passage.ended(options.matrix)) continue;
+          if (passage.busy || passage.ended()) continue;
           if (first == nullptr || passage.cases[passage.next]->seconds < first->cases[first->next]->seconds)
             first = &passage;
         }
@@ -389,7 +391,8 @@ void run_mutants(records::Mutants& mutants, const std::vector<Unchanged>& unchan
         passage.busy = false;
         passage.mutant->trials.push_back(outcome.trial);
         if (records::kills(outcome.trial)) passage.mutant->status = MutantStatus::killed;
-        if (passage.ended(options.matrix)) {
+        passage.leave_out(options.longest);
+        if (passage.ended()) {
           ++ended;
           if (passage.mutant->status == MutantStatus::pending) passage.mutant->status = MutantStatus::survived;
         }
@@ -499,11 +502,11 @@ int run(const Options& options) {
   const fs::path folder = fs::absolute(options.list).parent_path() / "reached";
   fs::create_directories(folder);
   auto unchanged = run_unchanged(cases, tier, jobs, folder);
-  std::erase_if(unchanged, [&](const Unchanged& one) { return one.seconds > options.longest; });
-  mutants.whole_matrix = options.matrix;
+  mutants.whole_matrix = options.longest > 0.0;
   mutants.build_seconds = options.build_seconds;
   for (const Unchanged& one : unchanged)
-    mutants.cases.push_back({one.one->id, one.one->family, one.seconds, one.one->recorded});
+    mutants.cases.push_back(
+        {one.one->id, one.one->family, one.seconds, one.one->recorded, one.seconds <= options.longest});
   const auto save = [&] { records::write_mutants(mutants, out); };
   run_mutants(mutants, unchanged, options, tier, jobs, save);
   save();
@@ -534,9 +537,10 @@ int main(int argc, char** argv) {
                  "Fail if a smaller fraction of the generated mutants that count is killed")
       ->check(CLI::Range(0.0, 1.0))
       ->capture_default_str();
-  app.add_option("--longest", options.longest, "Only cases that take at most this processor time without a mutant [s]")
+  app.add_option("--matrix", options.longest,
+                 "Run all cases that evaluate a mutant and take at most this processor time without one [s]; longer "
+                 "ones, as all without this option, only until one is red")
       ->check(CLI::PositiveNumber);
-  app.add_flag("--matrix", options.matrix, "Run all cases that evaluate a mutant, not only until the first is red");
   app.add_flag("--full", options.full, "The long studies as well");
   app.add_option("--only", options.only, "Only these mutants: ID[,ID...]")->delimiter(',');
   app.add_option("--cases", options.cases, "Only these cases, and bugs that name one of them: ID[,ID...]")

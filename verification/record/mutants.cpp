@@ -41,10 +41,11 @@ void fields(auto& f, Like<UnchangedCase> auto& unchanged) {
   f.value("family", unchanged.family);
   f.value("seconds", unchanged.seconds);
   f.value("recorded", unchanged.recorded);
+  f.value("in_matrix", unchanged.in_matrix);
 }
 
 void fields(auto& f, Like<Mutants> auto& mutants) {
-  f.derived("schema", std::string("talus mutants 4"));
+  f.derived("schema", std::string("talus mutants 5"));
   f.value("candidates", mutants.candidates);
   f.value("uncompiled", mutants.uncompiled);
   f.value("seed", mutants.seed);

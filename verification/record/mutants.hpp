@@ -83,13 +83,14 @@ struct UnchangedCase {
   std::string family{};
   double seconds{};  ///< processor time
   bool recorded{};   ///< it compares with earlier results of the program itself
+  bool in_matrix{};  ///< run with every mutant that it evaluates, not only until a case is red
 };
 
 struct Mutants {
   std::size_t candidates{};      ///< number of mutants generated, including those that do not compile
   std::size_t uncompiled{};      ///< number of drawn mutants that were dropped because they do not compile
   std::uint64_t seed{};          ///< seed of the sample
-  bool whole_matrix{};           ///< whether every mutant was run with every case that evaluates it
+  bool whole_matrix{};           ///< whether every mutant was run with each case of the matrix that evaluates it
   std::size_t operator_count{};  ///< number of mutation operators in use
   double build_seconds{};
   double run_seconds{};

@@ -37,7 +37,9 @@ Mutants some() {
   Mutants all;
   all.candidates = 100;
   all.whole_matrix = true;
-  all.cases = {{"column", "contact", 2.0}, {"hertz", "contact", 1.0}, {"fence", "fences", 0.5}};
+  all.cases = {{"column", "contact", 2.0, false, true},
+               {"hertz", "contact", 1.0, false, true},
+               {"fence", "fences", 0.5, false, true}};
   all.mutants.push_back(
       mutant("m1", "sign", {{"column", TrialEnd::fail, 3.0, "force"}, {"hertz", TrialEnd::fail, 7.0, "depth"}}));
   all.mutants.push_back(mutant(
@@ -86,6 +88,22 @@ BOOST_AUTO_TEST_CASE(what_recorded_results_alone_notice_is_counted_apart) {
   BOOST_TEST(text.find("**5 of 5 generated mutants were killed: 100.0 %**") != std::string::npos);
   BOOST_TEST(text.find("Of them 2 are noticed by comparison with recorded results alone") != std::string::npos);
   BOOST_TEST(text.find("**Without it 3 are killed: 60.0 %**") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(curves_are_of_the_cases_of_the_matrix) {
+  Mutants all = some();
+  all.cases.push_back({"study", "fences", 40.0, false, false});
+  all.mutants[3].trials.push_back({"study", TrialEnd::fail, infinity, "order"});
+  all.mutants[3].covered_by.push_back("study");
+  all.mutants[3].status = MutantStatus::killed;
+  BOOST_TEST(score_of(generated(all)).killed == 4u);
+  const Mutants matrix = of_matrix(all);
+  BOOST_TEST(score_of(generated(matrix)).killed == 3u);
+  BOOST_TEST(matrix.cases.size() == 3u);
+  const std::vector<Figure> figures = mutants_figures(all);
+  BOOST_REQUIRE(figures.size() == 3u);
+  BOOST_TEST(figures[1].series[0].y.back() == 75.0);
+  BOOST_TEST(figures[2].series[0].y.front() == 75.0);
 }
 
 BOOST_AUTO_TEST_CASE(wider_bounds_kill_less) {

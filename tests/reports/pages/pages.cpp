@@ -101,7 +101,7 @@ BOOST_AUTO_TEST_CASE(the_report_has_each_chapter) {
   Results all = results();
   all.records.clear();
   std::string text;
-  for (const ReportPage& page : report_pages(all, Trials{}, Drawn{}, TALUS_TEMPLATES, "", ""))
+  for (const ReportPage& page : report_pages(all, talus::records::Audits{}, Drawn{}, TALUS_TEMPLATES, "", ""))
     text += page.main + "\n" + page.details + "\n";
   std::size_t chapters = 0;
   for (const auto& entry : std::filesystem::directory_iterator{std::filesystem::path{TALUS_TEMPLATES} / "chapters"}) {

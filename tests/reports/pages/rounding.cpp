@@ -2,6 +2,8 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include "tests/temporary_folder.hpp"
+
 BOOST_AUTO_TEST_SUITE(rounding_tests)
 
 namespace {
@@ -25,12 +27,22 @@ Results results(double first, double second) {
   return all;
 }
 
+/// As the report shows it: by the file rounding.json.
+std::string text_of(const Results& nearest, const Results& upward) {
+  const Folder folder;
+  talus::records::write_rounding(talus::records::rounding_audit(nearest, {{"upward", upward}}),
+                                 folder.path / "rounding.json");
+  return rounding_text(*talus::records::read_audits(folder.path, {}).rounding, nearest);
+}
+
 bool holds(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(checks_that_fail_under_another_rounding_are_listed) {
-  const std::string text = rounding_text(results(0.5, 0.25), {{"upward", results(1.5, 0.25)}});
+  const std::string text = text_of(results(0.5, 0.25), results(1.5, 0.25));
+  BOOST_TEST(holds(text, "| round\\_off | 1 | 1 |"), text);
+  BOOST_TEST(holds(text, "| truncation | 1 | 0 |"), text);
   BOOST_TEST(holds(text, "force"));
   BOOST_TEST(holds(text, "**1.5**"));
   BOOST_TEST(!holds(text, "energy"));
@@ -39,11 +51,11 @@ BOOST_AUTO_TEST_CASE(checks_that_fail_under_another_rounding_are_listed) {
 BOOST_AUTO_TEST_CASE(a_check_that_was_not_made_is_listed) {
   Results less = results(0.5, 0.25);
   less.records[0].checks.pop_back();
-  BOOST_TEST(holds(rounding_text(results(0.5, 0.25), {{"upward", less}}), "not made"));
+  BOOST_TEST(holds(text_of(results(0.5, 0.25), less), "not made"));
 }
 
 BOOST_AUTO_TEST_CASE(none_fails) {
-  BOOST_TEST(holds(rounding_text(results(0.5, 0.25), {{"upward", results(0.5, 0.9)}}), "No check fails"));
+  BOOST_TEST(holds(text_of(results(0.5, 0.25), results(0.5, 0.9)), "No check fails"));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -16,9 +16,11 @@
 #include <nlohmann/json.hpp>
 #include <random>
 #include <thread>
+#include <utility>
 
 #include "solver/app/command.hpp"
 #include "tests/solver/app/program.hpp"
+#include "verification/record/audits.hpp"
 
 BOOST_AUTO_TEST_SUITE(faults_tests)
 
@@ -123,8 +125,9 @@ BOOST_AUTO_TEST_CASE(a_run_that_is_killed_continues_to_the_same_files) {
                                       Undisturbed{scene_run("200 s")}, Undisturbed{{"cell", cell_file(folder)}}};
   std::mt19937 random{20251125U};
   const auto fraction = [&] { return static_cast<double>(random()) / 4294967296.0; };
-  long kills = 0, ended = 0, before_checkpoint = 0, resumed = 0, identical = 0, temporary = 0;
-  for (long trial = 0; kills < number_of_kills() && ended <= 5 + number_of_kills(); ++trial) {
+  long ended = 0;
+  talus::records::FaultAudit audit;
+  for (long trial = 0; std::cmp_less(audit.kills, number_of_kills()) && ended <= 5 + number_of_kills(); ++trial) {
     const Undisturbed& run = runs[static_cast<std::size_t>(trial) % runs.size()];
     const fs::path out = folder.path / fmt::format("out{}", trial);
     BOOST_TEST_CONTEXT("trial " << trial << ", " << run.command[1]) {
@@ -134,11 +137,15 @@ BOOST_AUTO_TEST_CASE(a_run_that_is_killed_continues_to_the_same_files) {
         std::this_thread::sleep_for(std::chrono::duration<double>{1.1 * run.seconds * fraction()});
         program.send(SIGKILL);
         const bool was = WIFSIGNALED(program.wait());
-        ++(was ? kills : ended);
-        temporary += whole_files(out, run, before);
+        if (was) {
+          ++audit.kills;
+        } else {
+          ++ended;
+        }
+        audit.temporary_files += static_cast<std::size_t>(whole_files(out, run, before));
         return was;
       };
-      const auto count = [&] { ++(fs::exists(out / "checkpoint.json") ? resumed : before_checkpoint); };
+      const auto count = [&] { ++(fs::exists(out / "checkpoint.json") ? audit.resumed : audit.before_checkpoint); };
       // From the start, or from a checkpoint in the middle.
       const bool from_midst = fraction() < 0.5 && run.command.front() == "run";
       Arguments command = run.into(out);
@@ -156,15 +163,17 @@ BOOST_AUTO_TEST_CASE(a_run_that_is_killed_continues_to_the_same_files) {
       const Ended last = run.continued(out);
       BOOST_TEST(last.code == 0, last.err);
       run.same(out);
-      identical += files(out) == run.content ? 1 : 0;
+      ++audit.runs;
+      audit.identical += files(out) == run.content ? 1 : 0;
       fs::remove_all(out);
     }
   }
   fmt::print(
       "faults: {} kills, {} of them before a checkpoint, {} resumed; {} came after the end; {} temporary files "
       "left and removed; {} runs with identical files\n",
-      kills, before_checkpoint, resumed, ended, temporary, identical);
-  BOOST_TEST(kills > 0);
+      audit.kills, audit.before_checkpoint, audit.resumed, ended, audit.temporary_files, audit.identical);
+  if (const char* const file = std::getenv("TALUS_FAULTS_FILE")) talus::records::write_faults(audit, file);
+  BOOST_TEST(audit.kills > 0U);
 }
 
 BOOST_AUTO_TEST_CASE(a_reader_that_has_gone_costs_no_file) {

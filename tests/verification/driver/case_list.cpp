@@ -3,9 +3,13 @@
 
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
+#include <filesystem>
+#include <regex>
 #include <set>
 
 #include "verification/driver/case_error.hpp"
+#include "verification/record/audits.hpp"
+#include "verification/record/whole_file.hpp"
 
 BOOST_AUTO_TEST_SUITE(case_list_tests)
 
@@ -57,6 +61,34 @@ BOOST_AUTO_TEST_CASE(each_erratum_is_proved_by_a_case) {
         std::any_of(cases().begin(), cases().end(), [&](const Case& c) { return c.id == erratum.proved_by; });
     BOOST_TEST(there, erratum.id << ": no case " << erratum.proved_by);
   }
+}
+
+BOOST_AUTO_TEST_CASE(each_defect_has_its_case_or_test) {
+  const std::vector<talus::records::Defect> defects = talus::records::read_audits({}, TALUS_AUDITS).defects;
+  std::set<std::string> tests;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator{TALUS_TESTS}) {
+    if (entry.path().extension() != ".cpp") continue;
+    static const std::regex name(R"(BOOST_(AUTO|FIXTURE|DATA)_TEST_(SUITE|CASE)\((\w+))");
+    const std::string text = talus::records::read_whole(entry.path());
+    std::string suite;
+    for (std::sregex_iterator it(text.begin(), text.end(), name), end; it != end; ++it) {
+      if ((*it)[2] == "SUITE") {
+        suite = (*it)[3].str() + "/";
+      } else {
+        tests.insert(suite + (*it)[3].str());
+      }
+    }
+  }
+  for (const talus::records::Defect& defect : defects) {
+    // A Boost.Test, or the file of another test.
+    if (!defect.test.empty())
+      BOOST_TEST((tests.contains(defect.test) || std::filesystem::exists(TALUS_TESTS "/../" + defect.test)),
+                 "no test " << defect.test);
+    if (!defect.case_id.empty())
+      BOOST_TEST(std::any_of(cases().begin(), cases().end(), [&](const Case& c) { return c.id == defect.case_id; }),
+                 "no case " << defect.case_id);
+  }
+  BOOST_TEST(defects.size() >= 50U);
 }
 
 BOOST_AUTO_TEST_CASE(each_finding_and_highlight_is_of_a_case) {

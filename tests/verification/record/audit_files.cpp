@@ -3,13 +3,13 @@
 #include <iostream>
 #include <limits>
 
-#include "verification/record/interface.hpp"
-#include "verification/record/mutants.hpp"
+#include "verification/record/audits.hpp"
 
 /// Writes interface.json and killed.json, with a value in each of their members, to the folder of its argument:
 /// scripts/test_schemas validates them. The audits that write the real ones take hours.
 int main(int count, char** arguments) {
   using namespace talus::records;
+  constexpr double infinity = std::numeric_limits<double>::infinity();
   if (count != 2) {
     std::cerr << "usage: talus_audit_files FOLDER\n";
     return 2;
@@ -28,7 +28,7 @@ int main(int count, char** arguments) {
                     .operator_count = 15,
                     .build_seconds = 120.0,
                     .run_seconds = 0.5,
-                    .cases = {{"case", "family", 1.5, true}},
+                    .cases = {{"case", "family", 1.5, true, true}},
                     .mutants = {}};
     for (const auto& [status, name] : Names<MutantStatus>::values) {
       const bool is_compiled = status != MutantStatus::equivalent;
@@ -47,9 +47,16 @@ int main(int count, char** arguments) {
                                  .trials = {}});
     }
     for (const auto& [end, name] : Names<TrialEnd>::values)
-      mutants.mutants.front().trials.push_back(
-          {"case", end, std::numeric_limits<double>::infinity(), "check", {"check", "another"}});
+      mutants.mutants.front().trials.push_back({"case", end, infinity, "check", {"check", "another"}});
     write_mutants(mutants, folder / "killed.json");
+
+    write_rounding({.modes = {"upward"},
+                    .kinds = {{Kind::exact, 3, {1}}},
+                    .checks = {{"case", "check", Kind::exact, {true, 0.5, true}, {{true, infinity, false}}},
+                               {"case", "another", Kind::round_off, {true, 0.5, true}, {{}}}}},
+                   folder / "rounding.json");
+    write_fuzz({.seed = 1, .readers = {{"fence_toml", 100, 20, 79, 1, 0.5, 0}}}, folder / "fuzz.json");
+    write_faults({100, 46, 54, 3, 88, 88}, folder / "faults.json");
   } catch (const std::exception& error) {
     std::cerr << "talus_audit_files: " << error.what() << '\n';
     return 1;
