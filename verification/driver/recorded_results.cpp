@@ -3,11 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
-#include <fstream>
-#include <iterator>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -15,6 +11,7 @@
 #include <utility>
 
 #include "solver/base/error.hpp"
+#include "solver/io/file/toml_document.hpp"
 #include "verification/record/error.hpp"
 #include "verification/record/json_depth.hpp"
 #include "verification/record/json_fault.hpp"
@@ -249,12 +246,7 @@ RecordedResults results_from(const Field& root, const fs::path& file) {
 std::string contents(const fs::path& file) {
   std::error_code none;
   if (fs::is_directory(file, none)) throw IoError(file.string() + ": is a folder; it must be a results.json");
-  errno = 0;
-  std::ifstream in(file, std::ios::binary);
-  if (!in) throw IoError(fmt::format("{}: {}", file.string(), std::strerror(errno)));
-  std::string text{std::istreambuf_iterator<char>(in), {}};
-  if (in.bad()) throw IoError(file.string() + ": cannot be read");
-  return text;
+  return read_text(file);
 }
 
 }  // namespace

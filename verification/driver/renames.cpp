@@ -2,13 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 #include <map>
+#include <sstream>
 #include <string_view>
 
 #include "solver/base/error.hpp"
+#include "solver/io/file/toml_document.hpp"
 
 namespace talus::verification {
 
@@ -68,9 +67,7 @@ std::string text_of(const ItemName& name) { return name.item.empty() ? name.id :
 std::vector<Renaming> read_renames(const std::filesystem::path& file) {
   std::error_code none;
   if (std::filesystem::is_directory(file, none)) throw IoError(file.string() + ": is a folder; it must be a text file");
-  errno = 0;
-  std::ifstream in(file);
-  if (!in) throw IoError(fmt::format("{}: {}", file.string(), std::strerror(errno)));
+  std::istringstream in(read_text(file));
   std::vector<Renaming> all;
   std::map<ItemName, std::string> renamed, given;
   std::string line;
@@ -88,7 +85,6 @@ std::vector<Renaming> read_renames(const std::filesystem::path& file) {
     }
     all.push_back(std::move(renaming));
   }
-  if (in.bad()) throw IoError(file.string() + ": cannot be read");
   return all;
 }
 

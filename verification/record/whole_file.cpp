@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <cstdint>
@@ -22,6 +23,11 @@ namespace fs = std::filesystem;
 /// Marks the name of a temporary file; six letters or digits follow.
 constexpr std::string_view ending = ".talus-";
 constexpr std::size_t letters = 6;
+
+/// Maximum size of a regular file, and of a pipe or device [bytes]. The largest file that Talus writes is the
+/// checkpoint of a cell of 10,000,000 discs, with 380 bytes a disc 3.8 GB. A pipe or device may have no end; reading it
+/// must end before the memory of a small machine is exhausted.
+constexpr std::size_t largest_file = std::size_t{4} << 30, largest_stream = std::size_t{1} << 30;
 
 FileError file_error(const fs::path& file, int reason) {
   return FileError{fmt::format("{}: {}", file.string(), std::strerror(reason))};
@@ -99,14 +105,25 @@ std::string read_whole(const fs::path& file) {
   if (source.number() < 0) throw file_error(file, errno);
   struct stat status {};
   if (::fstat(source.number(), &status) != 0) throw file_error(file, errno);
+  const bool is_regular = S_ISREG(status.st_mode);
+  const std::size_t largest = is_regular ? largest_file : largest_stream;
+  const auto demand = [&](bool fits) {
+    if (fits) return;
+    throw FileError{fmt::format("{}: found more than {} bytes; {} must have at most that many", file.string(), largest,
+                                is_regular ? "a file" : "a pipe or device")};
+  };
+  const auto expected = static_cast<std::size_t>(std::max<off_t>(status.st_size, 0));
+  demand(expected <= largest);
   std::string text;
-  if (status.st_size > 0) text.reserve(static_cast<std::size_t>(status.st_size));
+  text.reserve(expected);
   char block[65536];
   for (;;) {
     const ssize_t count = ::read(source.number(), block, sizeof block);
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) throw file_error(file, errno);
     if (count == 0) return text;
+    // A file can grow while it is read, and one of /proc has no size.
+    demand(text.size() + static_cast<std::size_t>(count) <= largest);
     text.append(block, static_cast<std::size_t>(count));
   }
 }

@@ -7,7 +7,8 @@
 
 namespace talus::records {
 
-/// The content of a file. FileError if it cannot be read.
+/// The content of a file, pipe or device. FileError if it cannot be read, or has more than 4 GiB (a pipe or device: 1
+/// GiB).
 [[nodiscard]] std::string read_whole(const std::filesystem::path& file);
 
 /// Writes a file atomically: to a temporary file in the same folder, which is flushed to disk and then renamed to

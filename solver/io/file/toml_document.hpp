@@ -38,7 +38,8 @@ struct TomlEntry {
 /// Errors: InputError "name:line: not TOML: ...".
 [[nodiscard]] TomlValue parse_toml(std::string_view text, std::string_view name);
 
-/// The text of a file. Errors: IoError with the system's reason.
+/// The text of a file, pipe or device. Errors: IoError with the system's reason, or with the limit of its size
+/// (records::read_whole).
 [[nodiscard]] std::string read_text(const std::filesystem::path& file);
 
 }  // namespace talus

@@ -253,6 +253,13 @@ BOOST_AUTO_TEST_CASE(fences_that_cannot_be_built) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(a_file_without_end_is_an_error) {
+  const Ended ended = talus_ran({"run", "/dev/zero"});
+  BOOST_TEST(ended.code == 4);
+  BOOST_TEST(ended.err ==
+             "talus: /dev/zero: found more than 1073741824 bytes; a pipe or device must have at most that many\n");
+}
+
 BOOST_AUTO_TEST_CASE(files_that_cannot_be_read_or_written) {
   const Ended missing = talus_ran({"run", "nowhere.toml"});
   BOOST_TEST(missing.code == 4);

@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 
 #include <csignal>
+#include <fstream>
 #include <thread>
 #include <vector>
 
@@ -86,6 +87,23 @@ BOOST_AUTO_TEST_CASE(errors_give_the_systems_reason) {
   BOOST_TEST(message(folder.path / "is_folder", "text") == (folder.path / "is_folder").string() + ": Is a directory");
   BOOST_TEST(holds(error_message([&] { (void)read_whole(folder.path / "is_folder"); }), "Is a directory"));
   BOOST_TEST(folder.files() == 1);
+}
+
+// A device without end, a pipe, and a file whose size alone is too large: it has no blocks on the disk.
+BOOST_AUTO_TEST_CASE(files_without_end_are_refused) {
+  const Folder folder;
+  BOOST_TEST(error_message([] { (void)read_whole("/dev/zero"); }) ==
+             "/dev/zero: found more than 1073741824 bytes; a pipe or device must have at most that many");
+  const fs::path large = folder.file("large", "");
+  fs::resize_file(large, (std::uintmax_t{4} << 30) + 1);
+  BOOST_TEST(error_message([&] { (void)read_whole(large); }) ==
+             large.string() + ": found more than 4294967296 bytes; a file must have at most that many");
+  const fs::path pipe = folder.path / "pipe";
+  BOOST_REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
+  const std::string text(300'000, 'x');
+  std::thread writer{[&] { std::ofstream{pipe} << text; }};
+  BOOST_TEST((read_whole(pipe) == text));
+  writer.join();
 }
 
 BOOST_AUTO_TEST_CASE(threads_write_side_by_side) {
