@@ -105,7 +105,7 @@ SceneFile without_half_kick(SceneFile file) {
 int advise(AdviseOptions& options) {
   const fs::path out = target(options);
   const std::string text = read_text(options.scene);
-  const SceneFile file = without_half_kick(read_scene_file(fs::path{options.scene}));
+  const SceneFile file = without_half_kick(read_scene_text(text, options.scene));
   const Quantity quantity = [&] {
     try {
       return quantity_named(file.scene.model, options.of);

@@ -84,7 +84,7 @@ CellRequest cell_request(const CellOptions& options) {
     choices.jump = options.jump;
     choices.virtual_discs = options.virtual_discs;
   }
-  request.scene = read_cell(request.run.scene, choices);
+  request.scene = read_cell(request.run.text, request.run.scene.string(), choices);
   if (request.run.resumes() || !request.scene.restart) return request;
   const std::filesystem::path file = request.run.scene.parent_path() / "RESTART.DAT";
   request.restart = read_cell_restart(file, request.scene.cell);

@@ -225,11 +225,12 @@ void print_output(const SceneFile& file, const Dynamics& dynamics, const std::fi
 
 int check(const std::string& file) {
   const std::filesystem::path path{file};
-  if (describes_cell(path)) {
-    fmt::print("{}", cell_check(read_cell(path, {})));
+  const std::string text = read_text(path);
+  if (describes_cell(text, path)) {
+    fmt::print("{}", cell_check(read_cell(text, file, {})));
     return ok;
   }
-  const SceneFile read = read_scene_file(path);
+  const SceneFile read = read_scene_text(text, path);
   const Scene& scene = read.scene;
   const Dynamics dynamics{scene.model};
   SceneCheck found = [&] {

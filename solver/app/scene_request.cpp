@@ -102,7 +102,7 @@ SceneRequest scene_request(const SceneOptions& options) {
                        .file = {},
                        .sheet = options.sheet,
                        .impacts = options.impacts};
-  request.file = read_scene_file(request.run.scene);
+  request.file = read_scene_text(request.run.text, request.run.scene);
   Scene& scene = request.file.scene;
   if (!request.run.resumes()) {
     if (options.sheet && (!request.file.fence || options.folder.empty()))

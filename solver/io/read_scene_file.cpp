@@ -10,10 +10,12 @@
 
 namespace talus {
 
-SceneFile read_scene_file(const std::filesystem::path& file) {
-  if (!is_deck(file)) return read_scene_file(read_text(file), file.string());
-  if (describes_cell(file)) throw InputError{file.string() + ": a shear cell is run by `talus cell`"};
-  const scenes::Fence fence = read_deck(file);
+SceneFile read_scene_file(const std::filesystem::path& file) { return read_scene_text(read_text(file), file); }
+
+SceneFile read_scene_text(std::string_view text, const std::filesystem::path& file) {
+  if (!is_deck(file)) return read_scene_file(text, file.string());
+  if (describes_cell(text, file)) throw InputError{file.string() + ": a shear cell is run by `talus cell`"};
+  const scenes::Fence fence = read_deck(text, file.string());
   try {
     const scenes::FenceScene made = scenes::fence_scene(fence);
     SceneFile read{made.scene, FenceInput{fence, made}};

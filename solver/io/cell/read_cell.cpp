@@ -376,10 +376,11 @@ bool describes_cell(const TomlValue& document) {
   return std::ranges::any_of(table, [](const TomlEntry& entry) { return entry.key == "cell"; });
 }
 
-bool describes_cell(const std::filesystem::path& file) {
-  const std::string text = read_text(file);
+bool describes_cell(const std::filesystem::path& file) { return describes_cell(read_text(file), file); }
+
+bool describes_cell(std::string_view text, const std::filesystem::path& file) {
   if (!is_deck(file.string())) {
-    if (text.find("cell") == std::string::npos) return false;  // avoids parsing a long scene twice
+    if (text.find("cell") == std::string_view::npos) return false;  // avoids parsing a long scene twice
     return describes_cell(parse_toml(text, file.string()));
   }
   if (file.filename() == "CNTRL.DAT") return true;

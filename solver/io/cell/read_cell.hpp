@@ -54,6 +54,8 @@ struct CellChoices {
 /// Whether a file describes a cell and not bodies: a TOML file with [cell], a file named CNTRL.DAT, or a .DAT file of
 /// 15 numbers and nothing else. Errors: IoError; InputError for a text that is not TOML.
 [[nodiscard]] bool describes_cell(const std::filesystem::path& file);
+/// The same of the text of a file.
+[[nodiscard]] bool describes_cell(std::string_view text, const std::filesystem::path& file);
 /// The same of a parsed TOML text.
 [[nodiscard]] bool describes_cell(const TomlValue& document);
 

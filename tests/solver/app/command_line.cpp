@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
@@ -9,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "solver/granular/disc_method.hpp"
@@ -258,6 +260,21 @@ BOOST_AUTO_TEST_CASE(a_file_without_end_is_an_error) {
   BOOST_TEST(ended.code == 4);
   BOOST_TEST(ended.err ==
              "talus: /dev/zero: found more than 1073741824 bytes; a pipe or device must have at most that many\n");
+}
+
+// A pipe can be read once.
+BOOST_AUTO_TEST_CASE(scenes_are_read_from_pipes) {
+  const Folder folder;
+  const fs::path pipe = folder.path / "pipe";
+  BOOST_REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
+  for (const std::vector<std::string>& command :
+       {std::vector<std::string>{"run", "two_cable.toml"}, {"check", "two_cable.toml"}, {"check", "cell/ice.toml"}}) {
+    const std::string file = scene(command.back().c_str());
+    std::thread writer{[&] { std::ofstream{pipe} << talus::read_text(file); }};
+    const Ended ended = talus_ran({command.front(), pipe.string()});
+    writer.join();
+    BOOST_TEST(ended.code == 0, ended.err);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(files_that_cannot_be_read_or_written) {
