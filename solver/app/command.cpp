@@ -116,13 +116,15 @@ CLI::Validator number_between(double minimum, double maximum) {
           fmt::format("in [{}, {}]", minimum, maximum)};
 }
 
-void print_failure(std::string_view message) {
+void print_failure(std::string_view text) {
+  // Messages quote files, names of files and other programs.
+  const std::string message = records::shown_lines(text);
   const char* no_color = std::getenv("NO_COLOR");
   const bool red = ::isatty(STDERR_FILENO) == 1 && (no_color == nullptr || *no_color == '\0');
   std::string lines;
   for (std::size_t from = 0; from <= message.size();) {
     const std::size_t end = std::min(message.find('\n', from), message.size());
-    const std::string_view line = message.substr(from, end - from);
+    const std::string_view line = std::string_view{message}.substr(from, end - from);
     const bool help = line.starts_with("help: ");
     lines += fmt::format("{}{}{}{}\n", red ? "\033[31m" : "", help ? "" : "talus: ", line, red ? "\033[0m" : "");
     from = end + 1;

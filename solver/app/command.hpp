@@ -43,8 +43,8 @@ struct Command {
 /// Validator of an option: a number in [least, most]. It also rejects NaN, which CLI::Range accepts.
 [[nodiscard]] CLI::Validator number_between(double minimum, double maximum);
 
-/// Prints an error or a warning to stderr, in red on a terminal unless NO_COLOR is set.
-void print_failure(std::string_view message);
+/// Prints an error or a warning to stderr, in red on a terminal unless NO_COLOR is set; control characters are escaped.
+void print_failure(std::string_view text);
 
 /// The whole program: parses the command line, executes the command, converts errors to messages and exit statuses.
 /// `version` is what --version prints.

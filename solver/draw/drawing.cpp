@@ -17,6 +17,7 @@
 #include "solver/draw/disc_drawing.hpp"
 #include "solver/io/file/atomic_file.hpp"
 #include "solver/io/file/quantity_text.hpp"
+#include "verification/record/utf8.hpp"
 
 namespace talus::app {
 namespace fs = std::filesystem;
@@ -76,7 +77,7 @@ auto with_own_errors(Work&& work) {
 /// Writes to stderr after flushing stdout, because both streams may go to one file.
 void print_warnings(const std::string& warnings) {
   std::fflush(stdout);
-  std::fputs(warnings.c_str(), stderr);
+  std::fputs(records::shown_lines(warnings).c_str(), stderr);
 }
 
 /// Throws an error that lists the pictures or pages that could not be made, if any.
@@ -88,7 +89,7 @@ void throw_unmade(const reports::Made& made) {
 
 void draw(DrawingRequest request) {
   for (const std::string& note : request.notes)
-    fmt::print("{}\n", note);
+    fmt::print("{}\n", records::shown_lines(note));
   std::fflush(stdout);  // the notes are visible while the pictures are drawn
   demand_writable_folder(request.target);
   const reports::Made made = with_own_errors([&] {

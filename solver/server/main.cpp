@@ -21,6 +21,7 @@
 #include "solver/command_line/usage_error.hpp"
 #include "solver/server/um_bridge.hpp"
 #include "solver/version/version.hpp"
+#include "verification/record/utf8.hpp"
 
 namespace talus::server {
 namespace {
@@ -128,7 +129,7 @@ void describe(CLI::App& program, ServeOptions& options) {
 }
 
 int fail(app::ExitCode code, const char* message) {
-  fmt::print(stderr, "talus_serve: {}\n", message);
+  fmt::print(stderr, "talus_serve: {}\n", records::shown_lines(message));
   return code;
 }
 

@@ -11,6 +11,7 @@
 #include "verification/driver/baseline_json.hpp"
 #include "verification/driver/baseline_markdown.hpp"
 #include "verification/driver/baseline_table.hpp"
+#include "verification/record/utf8.hpp"
 #include "verification/record/whole_file.hpp"
 
 namespace talus::verification {
@@ -87,7 +88,7 @@ GateVerdict finish(const BaselineGate& gate, const RecordedResults& after, const
   fmt::print("{}comparison: {} and {}\n", table_of(comparison), (out / json_name).string(), markdown_name);
   std::fflush(stdout);
   for (const std::string& error : comparison.renaming_errors)
-    fmt::print(stderr, "talus_verify: {}\n", error);
+    fmt::print(stderr, "talus_verify: {}\n", records::shown_lines(error));
   if (!comparison.renaming_errors.empty()) return GateVerdict::wrong_renames;
   return totals_of(comparison).worse() > 0 ? GateVerdict::worse : GateVerdict::not_worse;
 }

@@ -29,6 +29,7 @@
 #include "verification/driver/results.hpp"
 #include "verification/driver/runner.hpp"
 #include "verification/driver/terminal.hpp"
+#include "verification/record/utf8.hpp"
 #include "verification/record/whole_file.hpp"
 
 namespace talus::verification {
@@ -289,6 +290,10 @@ int compare_files(const Catalogue& catalogue, const Options& options) {
   return exit_status(after.source.holds, finish(gate, after, out));
 }
 
+void print_error(const std::exception& error) {
+  fmt::print(stderr, "talus_verify: {}\n", records::shown_lines(error.what()));
+}
+
 }  // namespace
 
 int verify(std::vector<Case> cases, const fs::path& catalogue_folder, int argc, const char* const* argv,
@@ -316,16 +321,16 @@ int verify(std::vector<Case> cases, const fs::path& catalogue_folder, int argc, 
     read.push_back(catalogue_folder);
     return options.baseline.compare.empty() ? run(cases, catalogue, options, read) : compare_files(catalogue, options);
   } catch (const std::invalid_argument& fault) {
-    fmt::print(stderr, "talus_verify: {}\n", fault.what());
+    print_error(fault);
     return exit_usage;
   } catch (const InputError& fault) {
-    fmt::print(stderr, "talus_verify: {}\n", fault.what());
+    print_error(fault);
     return exit_usage;
   } catch (const std::bad_alloc&) {
     std::fputs("talus_verify: out of memory; no results were written\n", stderr);
     return exit_io;
   } catch (const std::exception& fault) {
-    fmt::print(stderr, "talus_verify: {}\n", fault.what());
+    print_error(fault);
     return exit_io;
   }
 }

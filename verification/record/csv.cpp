@@ -134,7 +134,7 @@ double Csv::number(std::size_t row, std::size_t column) const {
   const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (failure != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) {
     throw RecordError(fmt::format("{}:{}: column '{}': found '{}'; it must be a finite number", file_.string(),
-                                  lines_[row], header_[column], text));
+                                  lines_[row], shown_text(header_[column]), shown_text(text)));
   }
   return value;
 }

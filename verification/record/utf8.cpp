@@ -1,5 +1,7 @@
 #include "verification/record/utf8.hpp"
 
+#include <fmt/format.h>
+
 namespace talus::records {
 namespace {
 
@@ -40,5 +42,32 @@ std::string as_utf8(std::string_view text) {
   }
   return result;
 }
+
+namespace {
+
+/// Escapes all control characters but the unchanged ones.
+std::string without_controls(std::string_view text, std::string_view unchanged) {
+  std::string result;
+  const std::string letters = as_utf8(text);
+  for (std::size_t i = 0; i < letters.size(); ++i) {
+    auto code = static_cast<unsigned char>(letters[i]);
+    // U+0080 .. U+009F are control characters in two bytes; U+009B begins the same commands as the escape character.
+    const bool upper = code == 0xc2 && static_cast<unsigned char>(letters[i + 1]) < 0xa0;
+    const bool control = upper || code < 0x20 || code == 0x7f;
+    if (!control || unchanged.find(letters[i]) != std::string_view::npos) {
+      result += letters[i];
+      continue;
+    }
+    if (upper) code = static_cast<unsigned char>(letters[++i]);
+    result += code == '\n' ? "\\n" : code == '\r' ? "\\r" : fmt::format("\\x{:02x}", code);
+  }
+  return result;
+}
+
+}  // namespace
+
+std::string shown_text(std::string_view text) { return without_controls(text, "\t"); }
+
+std::string shown_lines(std::string_view text) { return without_controls(text, "\t\n"); }
 
 }  // namespace talus::records

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "solver/base/error.hpp"
+#include "verification/record/utf8.hpp"
 
 namespace talus {
 namespace {
@@ -46,10 +47,7 @@ std::string fortran_g(double value, int digits) {
 }
 
 std::string found_text(std::string_view text) {
-  std::string shown;
-  for (const char c : text.substr(0, 40))
-    shown += static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? '?' : c;
-  return fmt::format("found \"{}{}\"", shown, text.size() > 40 ? "..." : "");
+  return fmt::format("found \"{}{}\"", records::shown_text(text.substr(0, 40)), text.size() > 40 ? "..." : "");
 }
 
 bool parse_fortran_real(std::string_view text, double& number) {

@@ -17,7 +17,7 @@ namespace talus {
 /// not a number. Errors: InputError for a number outside the range of a double.
 [[nodiscard]] bool parse_fortran_real(std::string_view text, double& number);
 
-/// The text `found "..."` of messages, with at most 40 characters quoted.
+/// The text `found "..."` of messages, with at most 40 characters quoted, control characters escaped.
 [[nodiscard]] std::string found_text(std::string_view text);
 
 }  // namespace talus

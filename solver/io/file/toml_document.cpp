@@ -9,6 +9,7 @@
 
 #include "solver/base/error.hpp"
 #include "verification/record/error.hpp"
+#include "verification/record/utf8.hpp"
 #include "verification/record/whole_file.hpp"
 
 namespace talus {
@@ -87,7 +88,8 @@ void refuse_long_keys(std::string_view text, std::string_view name) {
 }  // namespace
 
 std::string found(const TomlValue& value) {
-  if (const auto* text = std::get_if<std::string>(&value.data)) return fmt::format("\"{}\"", *text);
+  if (const auto* text = std::get_if<std::string>(&value.data))
+    return fmt::format("\"{}\"", records::shown_text(*text));
   if (const auto* number = std::get_if<double>(&value.data)) {
     // As it is written, so that 11.0 is not called a wrong whole number 11.
     const std::string text = fmt::format("{}", *number);

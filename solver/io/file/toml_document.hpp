@@ -30,8 +30,8 @@ struct TomlEntry {
   TomlValue value;
 };
 
-/// The value as shown in a message: `"3 kg"`, `3`, `true`, `["1 m", "2 m"]` (beyond 60 characters "an array of 12"),
-/// "a table".
+/// The value as shown in a message, control characters escaped: `"3 kg"`, `3`, `true`, `["1 m", "2 m"]` (beyond 60
+/// characters "an array of 12"), "a table".
 [[nodiscard]] std::string found(const TomlValue& value);
 
 /// Parses TOML text; `name` is the file named in errors.

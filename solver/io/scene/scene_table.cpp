@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "verification/record/utf8.hpp"
+
 namespace talus {
 namespace {
 
@@ -17,12 +19,8 @@ std::string_view refusal_reason(std::string_view name) {
   for (const std::string_view taken : {"time", "energy", "dissipated", "balance_error"}) {
     if (name == taken) return "a history has columns of that name; choose another";
   }
-  for (const char c : name) {
-    const bool control = static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
-    if (control || c == ',' || c == '"' || c == '[' || c == ']') {
-      return "a name heads columns of a CSV file; it must be without commas, quotes, brackets and control characters";
-    }
-  }
+  if (name.find_first_of(",\"[]\t") != std::string_view::npos || records::shown_text(name) != name)
+    return "a name heads columns of a CSV file; it must be without commas, quotes, brackets and control characters";
   return "";
 }
 
@@ -98,7 +96,8 @@ std::string SceneTable::location(int line) const {
 
 std::string SceneTable::full_message(int line, std::string_view key, std::string_view message) const {
   const std::string noun = noun_.empty() ? "" : noun_ + ": ";
-  return fmt::format("{}{}{}: {}", location(line), noun, key, message);
+  // Keys, names and values are texts of the file.
+  return location(line) + records::shown_text(fmt::format("{}{}: {}", noun, key, message));
 }
 
 void SceneTable::report_at(int line, std::string_view key, std::string_view message) const {

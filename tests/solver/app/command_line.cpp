@@ -277,6 +277,37 @@ BOOST_AUTO_TEST_CASE(scenes_are_read_from_pipes) {
   }
 }
 
+// Control characters of a file neither move the cursor nor look like further messages.
+BOOST_AUTO_TEST_CASE(control_characters_of_a_file_are_escaped) {
+  const Folder folder;
+  const std::string text = talus::read_text(scene("two_cable.toml"));
+  const std::string title =
+      folder.file("title.toml", replaced(text, "title = \"Two", R"(title = "\u001b[31m\b\r\nTwo)"));
+  const Ended ended = talus_ran({"run", title, "--end", "1 ms"});
+  BOOST_TEST(ended.code == 0, ended.err);
+  BOOST_TEST(ended.out.starts_with(R"(\x1b[31m\x08\r\nTwo-cable particle impact)"
+                                   "\n"),
+             ended.out.substr(0, 100));
+  const auto error = [&](std::string_view what, std::string_view by) {
+    const std::string file = folder.file("wrong\x1b.toml", replaced(text, what, by));
+    const std::string message = talus_ran({"check", file}).err;
+    BOOST_TEST(!holds(message, "\x1b"), message);
+    return message;
+  };
+  for (const auto& [what, by] :
+       std::vector<std::pair<std::string, std::string>>{{"units = \"SI", R"(units = "S\u001b\nI)"},
+                                                        {"\"2 kg", R"("2 \u001b\nkg)"},
+                                                        {"name = \"particle", R"(name = "\u009b\u001b\nparticle)"},
+                                                        {"mobility", R"("mob\u001b\nility")"}}) {
+    const std::string message = error(what, by);
+    BOOST_TEST(holds(message, R"(wrong\x1b.toml:)"), message);
+    BOOST_TEST(holds(message, R"(\x1b\n)"), message);
+  }
+  const std::string deck = talus::read_text(scene("fence/sample2.DAT"));
+  const std::string wrong = folder.file("wrong.DAT", replaced(deck, "\n3 -1", "\n\x1b[31m -1"));
+  BOOST_TEST(holds(talus_ran({"run", wrong}).err, R"(nel: found "\x1b[31m"; it must be)"));
+}
+
 BOOST_AUTO_TEST_CASE(files_that_cannot_be_read_or_written) {
   const Ended missing = talus_ran({"run", "nowhere.toml"});
   BOOST_TEST(missing.code == 4);
