@@ -81,9 +81,9 @@ BOOST_AUTO_TEST_CASE(geometry_that_is_wrong_says_where) {
   const Tried geometry{"geometry"}, discs{"disc_states"};
   geometry.refuses(geometry.changed("<Lines>", "<Line>"), ":");  // not XML, with its line
   geometry.refuses(geometry.changed("Name=\"connectivity\"", "Name=\"\""),
-                   ": Lines: array 'connectivity': it is missing");
+                   ":4: Lines: array 'connectivity': it is missing");
   geometry.refuses(geometry.changed("<PolyData>", "<PolyDatum/><PolyData>").substr(0, 40), ":");
-  discs.refuses(discs.changed("Name=\"radius\"", "Name=\"\""), ": PointData: array 'radius': it is missing");
+  discs.refuses(discs.changed("Name=\"radius\"", "Name=\"\""), ":4: PointData: array 'radius': it is missing");
   // A disc number whose absolute value its type cannot represent: the image of a disc has the negative of its number.
   const std::string ids = "Name=\"id\"";
   std::string text = discs.sound();

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <system_error>
@@ -49,6 +50,10 @@ void remove_files(const fs::path& folder, const std::function<bool(std::string_v
     if (of(entry.path().filename().string())) found.push_back(entry.path());
   for (const fs::path& file : found)
     fs::remove(file, none);
+}
+
+bool is_inside_folder(const fs::path& name) {
+  return name.has_filename() && name.is_relative() && std::ranges::find(name, fs::path{".."}) == name.end();
 }
 
 void demand_writable_folder(const fs::path& folder) {

@@ -29,6 +29,9 @@ void demand_writable_folder(const std::filesystem::path& folder);
 /// Creates a folder and its parent folders. Errors: as demand_writable_folder().
 void make_folder(const std::filesystem::path& folder);
 
+/// Whether a path by which a file names another one remains in the folder of that file: relative, without "..".
+[[nodiscard]] bool is_inside_folder(const std::filesystem::path& name);
+
 /// Checks that a folder contains a file. `meaning`: such a folder, for the message. Errors: IoError
 /// "out: found a folder without plot.json; it must be `meaning`", or what else was found.
 void demand_folder_with(const std::filesystem::path& folder, std::string_view file, std::string_view meaning);

@@ -9,56 +9,91 @@
 #include <string_view>
 
 #include "solver/base/error.hpp"
+#include "solver/io/file/atomic_file.hpp"
 #include "solver/io/file/toml_document.hpp"
+#include "verification/record/utf8.hpp"
 
 namespace talus {
 namespace {
 
-/// A VTK XML file, read completely.
+/// An array of numbers of a VTK file.
+template <class Number>
+struct VtkNumbers {
+  pugi::xml_node node;
+  std::vector<Number> values;
+
+  std::size_t size() const { return values.size(); }
+  Number operator[](std::size_t i) const { return values[i]; }
+};
+
+/// A VTK XML file, read completely. Errors name file, line, section and array.
 class VtkFile {
  public:
-  explicit VtkFile(const std::filesystem::path& path) : name_{path.string()} {
-    const std::string text = read_text(path);
-    const pugi::xml_parse_result result = document_.load_buffer(text.data(), text.size());
+  explicit VtkFile(const std::filesystem::path& path) : name_{path.string()}, text_{read_text(path)} {
+    const pugi::xml_parse_result result = document_.load_buffer(text_.data(), text_.size());
     if (result) return;
-    const auto end =
-        text.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(
-                           text.size(), static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, result.offset))));
-    throw InputError{
-        fmt::format("{}:{}: not XML: {}", name_, 1 + std::count(text.begin(), end, '\n'), result.description())};
+    fail(line_at(result.offset), fmt::format("not XML: {}", result.description()));
   }
 
-  [[noreturn]] void report(std::string_view message) const { throw InputError{fmt::format("{}: {}", name_, message)}; }
+  [[noreturn]] void report(const pugi::xml_node& node, std::string_view message) const {
+    fail(line_at(node.offset_debug()), message);
+  }
+  /// An error about an array: "Points: array 'Points': found ...".
+  [[noreturn]] void report_array(const pugi::xml_node& array, std::string_view message) const {
+    report(array, array_message(array, message));
+  }
 
   pugi::xml_node part(const char* path) const {
     const pugi::xml_node found = document_.first_element_by_path(path);
-    if (!found) report(fmt::format("{}: it is missing; `talus run` writes VTK poly data", path));
+    if (!found) report(document_.document_element(), fmt::format("{}: it is missing; `talus run` writes it", path));
     return found;
   }
 
   /// The numbers of an array of the piece, e.g. of section "Points" and name "Points".
   template <class Number>
-  std::vector<Number> array(const char* section, const char* name) const {
-    const pugi::xml_node found =
-        part("VTKFile/PolyData/Piece").child(section).find_child_by_attribute("DataArray", "Name", name);
-    if (!found) report(fmt::format("{}: array '{}': it is missing", section, name));
-    std::string_view rest{found.text().get()};
-    std::vector<Number> numbers;
-    for (;;) {
+  VtkNumbers<Number> array(const char* section, const char* name) const {
+    const pugi::xml_node piece = part("VTKFile/PolyData/Piece");
+    const pugi::xml_node found = piece.child(section).find_child_by_attribute("DataArray", "Name", name);
+    if (!found) report(piece, fmt::format("{}: array '{}': it is missing; `talus run` writes it", section, name));
+    const pugi::xml_node content = found.first_child();
+    const std::string_view text{found.text().get()};
+    VtkNumbers<Number> numbers{found, {}};
+    for (std::string_view rest = text;;) {
       rest.remove_prefix(std::min(rest.find_first_not_of(" \n\t\r"), rest.size()));
       if (rest.empty()) return numbers;
       Number value{};
       const auto [end, failure] = std::from_chars(rest.data(), rest.data() + rest.size(), value);
       if (failure != std::errc{}) {
-        report(fmt::format("{}: array '{}': found \"{}\"; it must be a number", section, name, rest.substr(0, 20)));
+        const auto lines = std::count(text.data(), rest.data(), '\n');
+        const std::string_view token = rest.substr(0, std::min<std::size_t>(rest.find_first_of(" \n\t\r"), 20));
+        fail(line_at(content.offset_debug()) + lines,
+             array_message(found, fmt::format("found \"{}\"; it must be a number", records::shown_text(token))));
       }
-      numbers.push_back(value);
+      numbers.values.push_back(value);
       rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));
     }
   }
 
+  /// Demands a number of values in an array, which follows from another one: "24, one for each point".
+  template <class Number>
+  void demand_size(const VtkNumbers<Number>& array, std::size_t size, std::string_view reason) const {
+    if (array.size() == size) return;
+    report_array(array.node, fmt::format("found {} numbers; it must have {}, {}", array.size(), size, reason));
+  }
+
  private:
-  std::string name_;
+  [[noreturn]] void fail(std::ptrdiff_t line, std::string_view message) const {
+    throw InputError{fmt::format("{}:{}: {}", name_, line, message)};
+  }
+  std::string array_message(const pugi::xml_node& array, std::string_view message) const {
+    return fmt::format("{}: array '{}': {}", array.parent().name(), array.attribute("Name").value(), message);
+  }
+  std::ptrdiff_t line_at(std::ptrdiff_t offset) const {
+    const auto size = static_cast<std::ptrdiff_t>(text_.size());
+    return 1 + std::count(text_.begin(), text_.begin() + std::clamp<std::ptrdiff_t>(offset, 0, size), '\n');
+  }
+
+  std::string name_, text_;
   pugi::xml_document document_;
 };
 
@@ -74,15 +109,21 @@ std::size_t disc_of(long number) {
 std::vector<GeometryFile> read_geometry_index(const std::filesystem::path& file) {
   const VtkFile index{file};
   std::vector<GeometryFile> files;
-  for (const pugi::xml_node& set : index.part("VTKFile/Collection").children("DataSet")) {
+  const pugi::xml_node collection = index.part("VTKFile/Collection");
+  for (const pugi::xml_node& set : collection.children("DataSet")) {
     const std::string_view time{set.attribute("timestep").value()};
     double value = 0.0;
-    if (std::from_chars(time.data(), time.data() + time.size(), value).ec != std::errc{}) {
-      index.report(fmt::format("timestep: found \"{}\"; it must be a number", time));
+    if (std::from_chars(time.data(), time.data() + time.size(), value).ec != std::errc{})
+      index.report(set, fmt::format("DataSet: timestep: found \"{}\"; it must be a number", records::shown_text(time)));
+    const std::string_view name{set.attribute("file").value()};
+    if (!is_inside_folder(name)) {
+      index.report(set, fmt::format("DataSet: file: found \"{}\"; it must be a file in the folder of the collection, "
+                                    "by a relative path without \"..\"",
+                                    records::shown_text(name)));
     }
-    files.push_back({value, file.parent_path() / set.attribute("file").value()});
+    files.push_back({value, file.parent_path() / name});
   }
-  if (files.empty()) index.report("Collection: it names no file: the run wrote no geometry");
+  if (files.empty()) index.report(collection, "Collection: it names no file: the run wrote no geometry");
   return files;
 }
 
@@ -96,20 +137,22 @@ GeometryFrame read_geometry(const GeometryFile& file) {
   const auto cables = vtk.array<long>("CellData", "cable");
   const auto tensions = vtk.array<double>("CellData", "tension");
   const auto slacks = vtk.array<int>("CellData", "slack");
-  for (const std::size_t count : {bodies.size(), cables.size(), tensions.size(), slacks.size()}) {
-    if (count != offsets.size())
-      vtk.report(fmt::format("CellData: found {} values for {} lines", count, offsets.size()));
-  }
+  const auto demand_one_a_line = [&](const auto& array) {
+    vtk.demand_size(array, offsets.size(), "one for each line");
+  };
+  demand_one_a_line(bodies), demand_one_a_line(cables), demand_one_a_line(tensions), demand_one_a_line(slacks);
   GeometryFrame frame{file.time, {}};
   std::size_t begin = 0;
   for (std::size_t i = 0; i < offsets.size(); ++i) {
     GeometryLine line{bodies[i], cables[i], tensions[i], slacks[i] != 0, {}, {}};
-    if (offsets[i] < begin || offsets[i] > connectivity.size())
-      vtk.report(fmt::format("Lines: offsets: line {} has a wrong offset", i));
+    if (offsets[i] < begin || offsets[i] > connectivity.size()) {
+      vtk.report_array(offsets.node, fmt::format("found {} for line {}; it must be in {} .. {}", offsets[i], i + 1,
+                                                 begin, connectivity.size()));
+    }
     for (; begin < offsets[i]; ++begin) {
       const std::size_t at = connectivity[begin];
-      if (at >= point_bodies.size() || 3 * at + 2 >= points.size())
-        vtk.report(fmt::format("Lines: connectivity: found point {}, which is not there", at));
+      if (const std::size_t count = std::min(point_bodies.size(), points.size() / 3); at >= count)
+        vtk.report_array(connectivity.node, fmt::format("found point {}; it must be below {}", at, count));
       line.points.push_back({points[3 * at], points[3 * at + 1], points[3 * at + 2]});
       line.bodies.push_back(point_bodies[at]);
     }
@@ -127,9 +170,10 @@ DiscFrame read_discs(const GeometryFile& file) {
   const auto walls = vtk.array<int>("PointData", "wall");
   const auto ends = vtk.array<std::size_t>("Lines", "connectivity");
   const auto forces = vtk.array<double>("CellData", "force");
-  for (const std::size_t count : {points.size() / 3, radii.size(), velocities.size() / 3, walls.size()}) {
-    if (count != ids.size()) vtk.report(fmt::format("PointData: found {} values for {} points", count, ids.size()));
-  }
+  vtk.demand_size(points, 3 * ids.size(), "three for each id");
+  vtk.demand_size(radii, ids.size(), "one for each id");
+  vtk.demand_size(velocities, 3 * ids.size(), "three for each id");
+  vtk.demand_size(walls, ids.size(), "one for each id");
   DiscFrame frame{file.time, {}, {}};
   // The points are the discs in the order of their numbers, then images of some of them.
   for (std::size_t i = 0; i < ids.size() && ids[i] == static_cast<long>(i) + 1; ++i) {
@@ -137,15 +181,12 @@ DiscFrame read_discs(const GeometryFile& file) {
         {{points[3 * i], points[3 * i + 1]}, radii[i], {velocities[3 * i], velocities[3 * i + 1]}, walls[i] != 0});
   }
   const std::size_t discs = frame.discs.size(), lines = ends.size() / 2;
-  if (discs == 0) vtk.report("PointData: array 'id': found no disc, which is numbered from 1");
-  if (forces.size() != discs + lines) {
-    vtk.report(
-        fmt::format("CellData: array 'force': found {} values for {} discs and {} lines", forces.size(), discs, lines));
-  }
+  if (discs == 0) vtk.report_array(ids.node, "found no disc, which is numbered from 1");
+  vtk.demand_size(forces, discs + lines, fmt::format("one for each of {} discs and {} lines", discs, lines));
   for (std::size_t k = 0; k < lines; ++k) {
     const std::size_t a = ends[2 * k], b = ends[2 * k + 1];
     if (a >= discs || b >= ids.size() || disc_of(ids[b]) >= discs) {
-      vtk.report(fmt::format("Lines: connectivity: line {} joins no two of its {} discs", k, discs));
+      vtk.report_array(ends.node, fmt::format("line {} joins no two of its {} discs", k, discs));
     }
     frame.contacts.push_back(
         {a, disc_of(ids[b]), frame.discs[a].p, {points[3 * b], points[3 * b + 1]}, forces[discs + k]});

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <functional>
-#include <nlohmann/json.hpp>
 #include <set>
 
 #include "solver/base/error.hpp"
@@ -13,20 +12,32 @@
 #include "solver/io/file/json_text.hpp"
 #include "solver/io/file/shown_title.hpp"
 #include "verification/record/json_fault.hpp"
+#include "verification/record/json_node.hpp"
 
 namespace talus {
 namespace {
 
-void read_bodies(const nlohmann::json& geometry, const std::filesystem::path& file, RunFiles& files) {
-  for (const auto& body : geometry.at("bodies")) {
-    const std::string kind = body.at("kind").get<std::string>();
+void read_bodies(const records::Node& geometry, const std::filesystem::path& file, RunFiles& files) {
+  for (const records::Node& body : geometry.at("bodies").list()) {
+    const std::string kind = body.at("kind").text();
     if (std::find(std::begin(body_kinds), std::end(body_kinds), kind) == std::end(body_kinds)) {
       throw InputError{fmt::format("{}: body kind '{}' is not known", file.string(), kind)};
     }
-    files.bodies.push_back({body.at("name").get<std::string>(), body.at("number").get<int>(), kind});
+    files.bodies.push_back({body.at("name").text(), body.at("number").integer(), kind});
   }
-  files.cables = geometry.at("cables").get<std::vector<std::string>>();
-  files.mirrored = geometry.at("mirrored").get<bool>();
+  files.cables = geometry.at("cables").texts();
+  files.mirrored = geometry.at("mirrored").flag();
+}
+
+/// The name of a file of the run.
+std::string file_of_run(const records::Node& name) {
+  if (!is_inside_folder(name.text())) name.refuse("a file in the folder of the run, by a path without \"..\"");
+  return name.text();
+}
+
+InputError not_of_a_run(const std::filesystem::path& file, std::string_view reason) {
+  return InputError{fmt::format("{}: it is not a file written by `talus run --out` or `talus cell --out`: {}",
+                                file.string(), reason)};
 }
 
 UnitSystem known_units(const std::string& name, const std::filesystem::path& file) {
@@ -68,24 +79,28 @@ RunFolder read_run_folder(const std::filesystem::path& folder) {
   const std::string text = read_json_text(file);
   RunFolder run{folder, {}, si, {}};
   try {
-    const auto json = nlohmann::json::parse(text);
-    run.title = shown_title(json.at("title").get<std::string>(), folder);
-    const auto& units = json.at("units");
-    run.units = units.is_null() ? std::optional<UnitSystem>{} : known_units(units.get<std::string>(), file);
-    run.files.histories = json.at("histories").get<std::vector<std::string>>();
-    const auto& geometry = json.at("geometry");
-    run.files.geometry = geometry.at("index").get<std::string>();
-    if (!geometry.contains("period")) {
+    const auto json = records::Json::parse(text);
+    const records::Node plot{json, "plot"};
+    run.title = shown_title(plot.at("title").text(), folder);
+    run.units.reset();
+    if (!plot.is_null("units")) run.units = known_units(plot.at("units").text(), file);
+    for (const records::Node& history : plot.at("histories").list())
+      run.files.histories.push_back(file_of_run(history));
+    const records::Node geometry = plot.at("geometry");
+    if (const records::Node index = geometry.at("index"); !index.text().empty())
+      run.files.geometry = file_of_run(index);
+    if (!geometry.has("period")) {
       read_bodies(geometry, file, run.files);
       return run;
     }
-    run.files.period = geometry.at("period").get<double>();
+    run.files.period = geometry.at("period").number();
     if (!(*run.files.period > 0.0)) {
       throw InputError{fmt::format("{}: period: found {}; it must be > 0", file.string(), *run.files.period)};
     }
-  } catch (const nlohmann::json::exception& error) {
-    throw InputError{fmt::format("{}: it is not a file written by `talus run --out` or `talus cell --out`: {}",
-                                 file.string(), records::json_fault(error))};
+  } catch (const records::RecordError& error) {
+    throw not_of_a_run(file, error.what());
+  } catch (const records::Json::exception& error) {
+    throw not_of_a_run(file, records::json_fault(error));
   }
   return run;
 }

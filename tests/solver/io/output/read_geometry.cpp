@@ -91,19 +91,36 @@ BOOST_AUTO_TEST_CASE(damaged_geometry_is_named) {
     return error_message([&] { static_cast<void>(read_geometry_index(folder.file("x.pvd", text))); });
   };
   BOOST_TEST(holds(index("<VTKFile>\n<Coll"), "x.pvd:2: not XML: "));
-  BOOST_TEST(holds(index("<VTKFile/>"), "x.pvd: VTKFile/Collection: it is missing; "));
-  BOOST_TEST(holds(index("<VTKFile><Collection/></VTKFile>"),
-                   "x.pvd: Collection: it names no file: the run wrote no geometry"));
-  BOOST_TEST(holds(index("<VTKFile><Collection><DataSet timestep=\"now\"/></Collection></VTKFile>"),
-                   "x.pvd: timestep: found \"now\"; it must be a number"));
+  BOOST_TEST(holds(index("\n<VTKFile/>"), "x.pvd:2: VTKFile/Collection: it is missing; "));
+  BOOST_TEST(holds(index("<VTKFile>\n<Collection/></VTKFile>"),
+                   "x.pvd:2: Collection: it names no file: the run wrote no geometry"));
+  BOOST_TEST(holds(index("<VTKFile><Collection>\n\n<DataSet timestep=\"now\"/></Collection></VTKFile>"),
+                   "x.pvd:3: DataSet: timestep: found \"now\"; it must be a number"));
   const auto piece = [&](const std::string& text) {
-    const fs::path file = folder.file("x.vtp", "<VTKFile><PolyData><Piece>" + text + "</Piece></PolyData></VTKFile>");
+    const fs::path file = folder.file("x.vtp", "<VTKFile><PolyData>\n<Piece>" + text + "</Piece></PolyData></VTKFile>");
     return error_message([&] { static_cast<void>(read_geometry({0.0, file})); });
   };
-  BOOST_TEST(holds(piece(""), "x.vtp: Points: array 'Points': it is missing"));
-  BOOST_TEST(holds(piece("<Points><DataArray Name=\"Points\">0 1 a</DataArray></Points>"),
-                   "x.vtp: Points: array 'Points': found \"a\"; it must be a number"));
+  BOOST_TEST(holds(piece(""), "x.vtp:2: Points: array 'Points': it is missing"));
+  BOOST_TEST(holds(piece("<Points>\n<DataArray Name=\"Points\">\n0 1\n a\x1b 2</DataArray></Points>"),
+                   "x.vtp:5: Points: array 'Points': found \"a\\x1b\"; it must be a number"));
   BOOST_CHECK_THROW(static_cast<void>(read_geometry({0.0, folder.path / "none.vtp"})), IoError);
+}
+
+// A collection names files of its folder only.
+BOOST_AUTO_TEST_CASE(a_collection_stays_in_its_folder) {
+  const Folder folder;
+  const auto read = [&](const std::string& name) {
+    const std::string set =
+        "<VTKFile><Collection>\n<DataSet timestep=\"0\" file=\"" + name + "\"/></Collection></VTKFile>";
+    return read_geometry_index(folder.file("x.pvd", set));
+  };
+  for (const char* const name : {"../x.vtp", "a/../../x.vtp", "..", "/etc/passwd", "", "a/"}) {
+    BOOST_TEST(error_message([&] { static_cast<void>(read(name)); }) ==
+               (folder.path / "x.pvd").string() + ":2: DataSet: file: found \"" + name +
+                   "\"; it must be a file in the folder of the collection, by a relative path without \"..\"");
+  }
+  for (const char* const name : {"x.vtp", "x_geometry/x.vtp", "..x.vtp"})
+    BOOST_TEST(read(name).front().path == folder.path / name);
 }
 
 // A cell's state compared with the run from which it was written, through many states so that some contacts cross the
@@ -152,13 +169,13 @@ BOOST_AUTO_TEST_CASE(damaged_discs_are_named) {
     text.replace(text.find(from), from.size(), to);
     return error_message([&] { static_cast<void>(read_discs({0.0, folder.file("x.vtp", text)})); });
   };
-  BOOST_TEST(holds(wrong("Name=\"id\"", "Name=\"no\""), "x.vtp: PointData: array 'id': it is missing"));
-  BOOST_TEST(holds(wrong("\n0.5 ", "\n"), " values for "));
-  BOOST_TEST(holds(wrong("\n1 2 3 ", "\n2 1 3 "), "x.vtp: PointData: array 'id': found no disc"));
+  BOOST_TEST(holds(wrong("Name=\"id\"", "Name=\"no\""), ": PointData: array 'id': it is missing"));
+  BOOST_TEST(holds(wrong("\n0.5 ", "\n"), ": PointData: array 'radius': found "));
+  BOOST_TEST(holds(wrong("\n1 2 3 ", "\n2 1 3 "), ": PointData: array 'id': found no disc"));
   const std::size_t lines = good.find("<Lines>");
   const std::size_t first = good.find('\n', good.find("connectivity", lines)) + 1;
   BOOST_TEST(holds(wrong(good.substr(lines, first - lines), good.substr(lines, first - lines) + "9999"),
-                   "x.vtp: Lines: connectivity: line 0 joins no two of its 22 discs"));
+                   ": Lines: array 'connectivity': line 0 joins no two of its 22 discs"));
 }
 
 BOOST_AUTO_TEST_CASE(histories_are_read_with_their_units) {
@@ -189,8 +206,15 @@ BOOST_AUTO_TEST_CASE(what_no_run_left_is_named) {
     return error_message([&] { static_cast<void>(read_run_folder(folder.path)); });
   };
   BOOST_TEST(holds(wrong("{"), "plot.json: it is not a file written by `talus run --out` or `talus cell --out`: "));
-  BOOST_TEST(holds(wrong("{\"title\": 3}"),
-                   "plot.json: it is not a file written by `talus run --out` or `talus cell --out`: "));
+  BOOST_TEST(
+      holds(wrong("{\"title\": 3}"),
+            "plot.json: it is not a file written by `talus run --out` or `talus cell --out`: plot.title: must be a "
+            "text, found 3"));
+  const std::string outside = "must be a file in the folder of the run, by a path without \"..\", found \"../x\"";
+  BOOST_TEST(holds(wrong(R"({"title": "t", "units": "SI", "histories": ["a.csv", "../x"]})"),
+                   "plot.histories[1]: " + outside));
+  BOOST_TEST(holds(wrong(R"({"title": "t", "units": "SI", "histories": [], "geometry": {"index": "../x"}})"),
+                   "plot.geometry.index: " + outside));
   BOOST_TEST(holds(wrong(R"({"title": "t", "units": "SI", "histories": [], "geometry": {"index": "g", "cables": [],
                             "bodies": [{"name": "b", "number": 1, "kind": "tree"}]}})"),
                    "plot.json: body kind 'tree' is not known"));
