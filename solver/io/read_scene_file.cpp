@@ -16,14 +16,10 @@ SceneFile read_scene_text(std::string_view text, const std::filesystem::path& fi
   if (!is_deck(file)) return read_scene_file(text, file.string());
   if (describes_cell(text, file)) throw InputError{file.string() + ": a shear cell is run by `talus cell`"};
   const scenes::Fence fence = read_deck(text, file.string());
-  try {
-    const scenes::FenceScene made = scenes::fence_scene(fence);
-    SceneFile read{made.scene, FenceInput{fence, made}};
-    read.scene.title = shown_title(fence.title, file);
-    return read;
-  } catch (const InputError& error) {
-    throw InputError{file.string() + ": " + error.what()};
-  }
+  const scenes::FenceScene made = deck_scene(fence, text, file.string());
+  SceneFile read{made.scene, FenceInput{fence, made}};
+  read.scene.title = shown_title(fence.title, file);
+  return read;
 }
 
 Scene read_scene(const std::filesystem::path& file) { return read_scene_file(file).scene; }

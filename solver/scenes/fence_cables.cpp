@@ -23,8 +23,9 @@ CableId FenceMaker::add_cable(const std::string& name, CableEnd a, CableEnd b, d
     rest_length += stretched.stretch;
     law = law.drawn_before(stretched.stretch);
     if (!(law.rupture > 0.0))
-      throw InputError{
-          fmt::format("fence: cable '{}' is stretched by {:.6g}, at which it breaks", name, stretched.stretch)};
+      throw FenceError{{0, "stretched_cable",
+                        fmt::format("found cable '{}' stretched by {:.6g}; it must be less, since it breaks at that",
+                                    name, stretched.stretch)}};
   }
   Cable cable{.name = name, .a = a, .b = b, .rest_length = rest_length, .law = law};
   cable.multiplicity = full() ? 1 : 2;

@@ -13,14 +13,20 @@ double reduced_mass(double a, double b) { return a * b / (a + b); }
 }  // namespace
 
 /// k = factor m v^2/overlap^2: the spring that absorbs the energy of m at the impact speed within the overlap, with the
-/// factors of 1993; c by Eq. 21 with the same mass or with the effective mass of the contact.
-FenceContactLaw FenceMaker::contact_law(double mass, double factor, double overlap, double damped_mass) const {
+/// factors of 1993; c by Eq. 21 with the same mass or with the effective mass of the contact. `allowed` is the field
+/// that gives the overlap.
+FenceContactLaw FenceMaker::contact_law(double mass, double factor, double overlap, double damped_mass,
+                                        double Fence::*allowed) const {
   const double stiffness = factor * mass * speed_ * speed_ / (overlap * overlap);
-  if (!(stiffness > 0.0 && std::isfinite(stiffness)))
-    throw InputError{
-        fmt::format("fence: the contact stiffness of a mass of {:.6g} that stops from {:.6g} within {:.6g} is {}; it "
-                    "must be > 0 and finite",
-                    mass, speed_, overlap, stiffness)};
+  if (!(stiffness > 0.0 && std::isfinite(stiffness))) {
+    // Where no overlap is given, it follows from the penetration.
+    if (fence_.*allowed == 0.0) allowed = &Fence::penetration;
+    throw FenceError{
+        {0, std::string{field_name(allowed)},
+         fmt::format("found {}; the contact stiffness of a mass of {:.6g} that stops from {:.6g} within {:.6g} is {}; "
+                     "it must be > 0 and finite",
+                     fence_.*allowed, mass, speed_, overlap, stiffness)}};
+  }
   return {stiffness, damping(damping_ratio(fence_.restitution, fence_.options.end_rule), stiffness, damped_mass)};
 }
 
@@ -61,8 +67,8 @@ void FenceMaker::add_rock_contacts(std::size_t i) {
   for (std::size_t layer = 0; layer < layers_.size(); ++layer) {
     for (const Column& column : layers_[layer]) {
       if (!meets(rock, column)) continue;
-      const FenceContactLaw law =
-          contact_law(reduced_mass(rock_masses_[i], column.mass), 1.0, overlap, damped_mass(i, column));
+      const FenceContactLaw law = contact_law(reduced_mass(rock_masses_[i], column.mass), 1.0, overlap,
+                                              damped_mass(i, column), &Fence::rock_overlap);
       Contact made = contact(fmt::format("{}-{}column{}", name, prefix(static_cast<int>(layer) + 1), column.number),
                              rocks_[i], column.body, law);
       made.nodes = {node_count(rock), node_count(fence_.column)};
@@ -92,7 +98,7 @@ void FenceMaker::add_rock_pairs() {
           fence_.rock_overlap > 0.0 ? fence_.rock_overlap : fence_.penetration * std::min(one.a, other.a);
       const double mass = reduced_mass(rock_masses_[i], rock_masses_[j]);
       Contact made = contact(fmt::format("rock{}-rock{}", i + 1, j + 1), rocks_[i], rocks_[j],
-                             contact_law(mass, 1.0, overlap, mass));
+                             contact_law(mass, 1.0, overlap, mass, &Fence::rock_overlap));
       made.nodes = {node_count(one), node_count(other)};
       made.node_depth = node_depth(NodeDepth::nearest);
       builder_.add(made);
@@ -107,7 +113,7 @@ void FenceMaker::add_column_pairs() {
     const Column& front = layers_[0][c];
     if (!front.struck) continue;
     const double mass = 0.5 * front.mass;
-    const FenceContactLaw law = contact_law(mass, 1.0, overlap, mass);
+    const FenceContactLaw law = contact_law(mass, 1.0, overlap, mass, &Fence::layer_overlap);
     Contact made = contact(fmt::format("column{0}-back_column{0}", front.number), front.body, layers_[1][c].body, law);
     made.nodes = {node_count(fence_.column), node_count(fence_.column)};
     made.node_depth = node_depth(NodeDepth::centroid_ray);

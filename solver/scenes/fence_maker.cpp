@@ -8,19 +8,27 @@
 
 namespace talus::scenes {
 
+FenceError::FenceError(FenceFault fault)
+    : InputError{fmt::format("fence: {}{}: {}", fault.element > 0 ? fmt::format("element {}: ", fault.element) : "",
+                             fault.field, fault.message)},
+      fault_{std::move(fault)} {}
+
 FenceMaker::FenceMaker(const Fence& fence) : fence_{fence}, builder_{fence.units} {
   builder_.gravity({0.0, fence.gravity_sign * fence.gravity});
   builder_.sleep(fence.options.sleep);
   for (const FenceElement& rock : fence.rocks)
     speed_ = std::max(speed_, norm(rock.velocity));
-  if (speed_ == 0.0) throw InputError{"fence: no rock moves; the contact stiffnesses follow from a rock's speed"};
+  if (speed_ == 0.0) {
+    throw FenceError{{2, "velocity", "no rock moves; one must, since the contact stiffnesses follow from its speed"}};
+  }
 }
 
 FenceScene FenceMaker::make() {
   if (fence_.options.hanger_strength > 0.0 && even() && !full()) {
-    throw InputError{
-        "fence: hanger_strength: the half model of an even count of columns omits the segment between the central "
-        "ones, through which the cable continues when their hangers break; symmetry must be \"full\""};
+    throw FenceError{
+        {0, "options",
+         "hanger_strength: the half model of an even count of columns omits the segment between the central ones, "
+         "through which the cable continues when their hangers break; symmetry must be \"full\""}};
   }
   add_ground();
   add_rocks();
@@ -49,7 +57,7 @@ FenceScene FenceMaker::make() {
 void FenceMaker::add_ground() {
   const FenceElement& e = fence_.ground;
   if (e.held != std::array<bool, 3>{true, true, true})
-    throw InputError{"fence: the ground must be held in x, y and rotation"};
+    throw FenceError{{1, "held", "found a ground that can move; it must be held in x, y and rotation"}};
   const Vec2 up{-rotation(e.angle).sine, rotation(e.angle).cosine};
   Body made{.name = "ground", .mobility = Mobility::fixed, .shape = HalfPlane{}, .p_WB = e.position + e.b * up};
   made.angle = e.angle;

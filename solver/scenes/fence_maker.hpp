@@ -62,7 +62,8 @@ class FenceMaker {
   void add_rock_pairs();
   void add_column_pairs();
   void add_columns_on_ground();
-  FenceContactLaw contact_law(double mass, double factor, double overlap, double damped_mass) const;
+  FenceContactLaw contact_law(double mass, double factor, double overlap, double damped_mass,
+                              double Fence::*allowed = &Fence::penetration) const;
   double damped_mass(std::size_t rock, const Column& column) const;
   Contact contact(std::string name, BodyId a, BodyId b, FenceContactLaw law) const;
   void check_stretched() const;

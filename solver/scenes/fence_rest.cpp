@@ -35,8 +35,11 @@ Model FenceMaker::balanced(Model model) const {
   dynamics.update_modes(state, work);
   for (std::size_t h = 0; h < model.hangers.size(); ++h) {
     if (state.mode[dynamics.layout().first_hanger + h] == 0) continue;
-    throw InputError{fmt::format("fence: hanger '{}' breaks under the weight alone; hanger_strength must be more",
-                                 model.hangers[h].name)};
+    throw FenceError{
+        {0, "options",
+         fmt::format("hanger_strength: found {:.6g}; hanger '{}' breaks under the weight alone; it must be "
+                     "more",
+                     fence_.options.hanger_strength, model.hangers[h].name)}};
   }
   dynamics.rates(state, work, rates, false);
   // Contact forces are excluded: a rock may touch the fence at the start.
@@ -60,7 +63,8 @@ void FenceMaker::check_stretched() const {
   for (const Cable& cable : model.cables)
     known.push_back(cable.name);
   for (const StretchedCable& stretched : fence_.stretched_cables) {
-    if (!find_cable(model, stretched.cable)) throw unknown_name("cable", stretched.cable, known);
+    if (!find_cable(model, stretched.cable))
+      throw FenceError{{0, "stretched_cable", unknown_name("cable", stretched.cable, known).what()}};
   }
 }
 
@@ -135,7 +139,7 @@ Model FenceMaker::hung(Model model) {
       model.bodies[bodies[static_cast<std::size_t>(i)]].p_WB.y += fraction * step[i];
   }
   if (!(forces(model).cwiseAbs().maxCoeff() < 1e-6 * column_weight()))
-    throw InputError{"fence: no static equilibrium with the stretched cables; they must be less stretched"};
+    throw FenceError{{0, "stretched_cable", "no static equilibrium with these; they must be less stretched"}};
   for (FenceMember& member : made_.members) {
     if (member.layer > 0 && member.body) member.position = model.bodies[index(*member.body)].p_WB;
   }
@@ -155,8 +159,9 @@ StaticShape static_shape(const Fence& fence) {
   for (int i = 0; i < count; ++i) {
     const double distance = i + 1 < count ? fence.spacing : 0.5 * fence.span - reach;
     if (distance <= 0.0) {
-      throw InputError{fmt::format("fence: {} columns {} apart do not fit into half the span, {}", fence.columns,
-                                   fence.spacing, 0.5 * fence.span)};
+      throw FenceError{{0, "columns",
+                        fmt::format("found {}; {} apart they do not fit into half the span, {}; they must be fewer",
+                                    fence.columns, fence.spacing, 0.5 * fence.span)}};
     }
     double own = 1.0;
     for (const ChangedColumn& changed : fence.changed_columns) {

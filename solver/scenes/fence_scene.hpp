@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "solver/base/error.hpp"
 #include "solver/scenes/fence.hpp"
 #include "solver/scenes/scene.hpp"
 
@@ -58,7 +59,24 @@ struct StaticShape {
 /// Number of elements in the numbering of 1993.
 [[nodiscard]] int element_count(const Fence& fence);
 
-/// The scene of a fence. Errors: InputError for invalid or inconsistent numbers.
+/// An error in a fence, which readers of files report at the line of the field.
+struct FenceFault {
+  std::size_t element{};  ///< number of the element concerned; 0: the fence itself
+  std::string field;      ///< name of the member of Fence or FenceElement
+  std::string message;    ///< what was found and what is allowed
+};
+
+/// A fence that cannot be built. Its message is that of the fault, after "fence: FIELD: ".
+class FenceError : public InputError {
+ public:
+  explicit FenceError(FenceFault fault);
+  const FenceFault& fault() const { return fault_; }
+
+ private:
+  FenceFault fault_;
+};
+
+/// The scene of a fence. Errors: FenceError, or another InputError for invalid or inconsistent numbers.
 [[nodiscard]] FenceScene fence_scene(const Fence& fence);
 
 }  // namespace talus::scenes

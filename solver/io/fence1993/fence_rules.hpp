@@ -9,12 +9,7 @@
 
 namespace talus {
 
-/// An error in the records of a fence taken together.
-struct FenceFault {
-  std::size_t element{};  ///< number of the element concerned; 0: the fence itself
-  std::string field;      ///< name of the member of Fence or FenceElement
-  std::string message;    ///< what was found and what is allowed
-};
+using scenes::FenceFault;
 
 /// All violations of the rules between records, for files of any format; empty if the fence can be built. Rules for a
 /// single number belong to its field.

@@ -52,6 +52,15 @@ class DeckReader {
  public:
   DeckReader(std::string_view text, std::string_view name) : input_{text}, name_{name} {}
 
+  /// The fence as written, without checks of its records taken together.
+  Fence fence() {
+    Fence fence;
+    fence.units = us;
+    fence.title = title();
+    deck_records::pass(*this, fence);
+    return fence;
+  }
+
   std::string title() {
     location_.line = 1;
     const std::string title = records::as_utf8(placed("title", [&] { return input_.whole_line(); }));
@@ -114,8 +123,10 @@ class DeckReader {
   }
 
   [[noreturn]] void fail(const FenceFault& fault) const {
-    const auto& [location, name] = locations_.at({fault.element, fault.field});
-    fail(location, name, fault.message);
+    const auto found = locations_.find({fault.element, fault.field});
+    // A field that a deck does not have.
+    if (found == locations_.end()) throw InputError{fmt::format("{}: {}: {}", name_, fault.field, fault.message)};
+    fail(found->second.first, found->second.second, fault.message);
   }
 
  private:
@@ -184,14 +195,23 @@ class DeckReader {
 
 Fence read_deck(std::string_view text, std::string_view name) {
   DeckReader reader{text, name};
-  Fence fence;
-  fence.units = us;
-  fence.title = reader.title();
-  deck_records::pass(reader, fence);
+  const Fence fence = reader.fence();
   if (const auto found = faults(fence); !found.empty()) reader.fail(found.front());
   return fence;
 }
 
 Fence read_deck(const std::filesystem::path& file) { return read_deck(read_text(file), file.string()); }
+
+scenes::FenceScene deck_scene(const Fence& fence, std::string_view text, std::string_view name) {
+  try {
+    return scenes::fence_scene(fence);
+  } catch (const scenes::FenceError& error) {
+    DeckReader reader{text, name};
+    static_cast<void>(reader.fence());
+    reader.fail(error.fault());
+  } catch (const InputError& error) {
+    throw InputError{fmt::format("{}: {}", name, error.what())};
+  }
+}
 
 }  // namespace talus

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "solver/scenes/fence.hpp"
+#include "solver/scenes/fence_scene.hpp"
 
 namespace talus {
 
@@ -18,5 +18,9 @@ namespace talus {
 
 /// The same from a text; `name` is the file named in errors.
 [[nodiscard]] scenes::Fence read_deck(std::string_view text, std::string_view name);
+
+/// The scene of the fence that was read from a text. Errors: InputError with the line of the field because of which the
+/// fence cannot be built.
+[[nodiscard]] scenes::FenceScene deck_scene(const scenes::Fence& fence, std::string_view text, std::string_view name);
 
 }  // namespace talus

@@ -12,7 +12,6 @@
 #include "solver/io/fence1993/fence_rules.hpp"
 #include "solver/io/scene/scene_parts.hpp"
 #include "solver/scenes/fence_element.hpp"
-#include "solver/scenes/fence_scene.hpp"
 #include "solver/stability/step_advice.hpp"
 
 namespace talus {
@@ -171,12 +170,12 @@ std::optional<double> read_steps(SceneTable& table, Fence& fence) {
 void set_steps(SceneTable& table, Fence& fence, std::optional<double> duration) {
   if (!table.has("rules") && !table.has("step_factor")) {
     // The step of the 1993 rule is derived from a cable, not from the contacts.
-    const scenes::FenceScene made = table.placed([&] { return scenes::fence_scene(fence); });
+    const scenes::FenceScene made = fence_scene(table, fence);
     if (!chooses_steps(made.scene.integrator))
       fence.step_factor = table.placed([&] { return automatic_step(made.scene); }) / made.critical_step;
   }
   if (duration) {
-    const double step = table.placed([&] { return scenes::fence_scene(fence).scene.plan.step; });
+    const double step = fence_scene(table, fence).scene.plan.step;
     const double steps = std::ceil(*duration / step - 1e-9);
     if (!(steps <= 1e9))
       table.fail("duration", fmt::format("it takes {:.3g} steps of {:.3g}; there can be 1e9", steps, step));
@@ -220,6 +219,25 @@ std::vector<int> wholes_or_none(SceneTable& table, std::string_view key) {
 }
 
 }  // namespace
+
+scenes::FenceScene fence_scene(SceneTable& table, const Fence& fence) {
+  std::optional<FenceFault> fault;
+  const auto made = table.placed([&]() -> std::optional<scenes::FenceScene> {
+    try {
+      return scenes::fence_scene(fence);
+    } catch (const scenes::FenceError& error) {
+      fault = error.fault();
+      return {};
+    }
+  });
+  if (made) return *made;
+  const std::size_t element = fault->element, rocks = fence.rocks.size();
+  const SceneTable at = element == 0           ? table
+                        : element == 1         ? table.table("ground")
+                        : element <= rocks + 1 ? table.numbered_tables("rock")[element - 2]
+                                               : table.table("column");
+  at.fail(fault->field, fault->message);
+}
 
 Fence read_fence(SceneTable& file, SceneSource& source) {
   file.allow({"title", "units", "fence"});

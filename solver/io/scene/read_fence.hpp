@@ -3,7 +3,7 @@
 #include <string>
 
 #include "solver/io/scene/scene_table.hpp"
-#include "solver/scenes/fence.hpp"
+#include "solver/scenes/fence_scene.hpp"
 
 namespace talus {
 
@@ -12,5 +12,9 @@ namespace talus {
 /// differ from the default ones, or with `rules = "1993"` from those of 1993. `source` is set to the file's units.
 /// Errors: InputError with file, line, field, what was found and what is allowed.
 [[nodiscard]] scenes::Fence read_fence(SceneTable& file, SceneSource& source);
+
+/// The scene of a fence that was read from a table [fence]. Errors: InputError with the line of the field because of
+/// which it cannot be built.
+[[nodiscard]] scenes::FenceScene fence_scene(SceneTable& table, const scenes::Fence& fence);
 
 }  // namespace talus

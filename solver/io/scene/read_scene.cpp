@@ -223,7 +223,7 @@ namespace {
 SceneFile read_fence_scene(SceneTable& file, SceneSource& source) {
   const scenes::Fence fence = read_fence(file, source);
   SceneTable table = file.table("fence");
-  const scenes::FenceScene made = table.placed([&] { return scenes::fence_scene(fence); });
+  const scenes::FenceScene made = fence_scene(table, fence);
   for (const Contact& contact : made.scene.model.contacts)
     table.placed([&] { check_resultant(contact, made.scene.model); });
   return {made.scene, FenceInput{fence, made}};

@@ -232,6 +232,32 @@ BOOST_AUTO_TEST_CASE(records_that_do_not_fit_each_other) {
       "since this motion is held");
 }
 
+// What is found only when the fence is built is reported at its record, too.
+BOOST_AUTO_TEST_CASE(fences_that_cannot_be_built) {
+  const auto built = [](std::string_view part, std::string_view replacement) {
+    const std::string text = changed(part, replacement);
+    const Fence fence = read_deck(text, "s.DAT");
+    try {
+      static_cast<void>(deck_scene(fence, text, "s.DAT"));
+    } catch (const InputError& error) {
+      return std::string{error.what()};
+    }
+    return std::string{"no error"};
+  };
+  BOOST_TEST(built("30 0.05", "30 1e-200") ==
+             "s.DAT:2: fact_dt, niter, nprint, nhisto, f_penet: f_penet: found 1e-200; the contact stiffness of a mass "
+             "of 37.225 that stops from 65 within 1.201e-200 is inf; it must be > 0 and finite");
+  BOOST_TEST(
+      built("0.6, 0.5", "1e-200, 0.5").starts_with("s.DAT:22: rf_overlap, ff_overlap: rf_overlap: found 1e-200; "));
+  BOOST_TEST(
+      built("0.6, 0.5", "0.6, 1e200").starts_with("s.DAT:22: rf_overlap, ff_overlap: ff_overlap: found 1e+200; "));
+  BOOST_TEST(built("-65.", "0.") ==
+             "s.DAT:14: element 2: xcent, ycent, theta, vx, vy, omega, fx, fy, mz: vx, vy: no rock moves; one must, "
+             "since the contact stiffnesses follow from its speed");
+  BOOST_TEST(built("1.0 1.0 1.0 0. 0.", "1.0 0.0 1.0 0. 0.").starts_with("s.DAT:11: element 1: bc(1), bc(2), bc(3), "));
+  BOOST_TEST(built("0.6, 0.5", "0.6, 0.5") == "no error");
+}
+
 BOOST_AUTO_TEST_CASE(titles) {
   BOOST_TEST(with("DOUBLE LAYER FENCE\tROCK WEIGHT = 1200 LBS", "").title.empty());
   BOOST_TEST(with("DOUBLE", "Zaun, 5 \xc2\xb0").title.substr(0, 9) == "Zaun, 5 \xc2");

@@ -235,6 +235,31 @@ BOOST_AUTO_TEST_CASE(wrong_fences) {
              "s.toml:1: title: found the control character 0x0a; a title is one line of UTF-8 or Latin-1 text");
 }
 
+// What is found only when the fence is built is reported at its field, too.
+BOOST_AUTO_TEST_CASE(fences_that_cannot_be_built) {
+  const auto built = [](std::string_view part, std::string_view replacement) {
+    std::string text = read_text(folder() / "sample2.toml");
+    const std::size_t at = text.find(part);
+    BOOST_REQUIRE(at != std::string::npos);
+    try {
+      static_cast<void>(read_scene_file(text.replace(at, part.size(), replacement), "s.toml"));
+    } catch (const InputError& error) {
+      return std::string{error.what()};
+    }
+    return std::string{"no error"};
+  };
+  BOOST_TEST(
+      built("penetration = 0.05", "penetration = 1e-200") ==
+      "s.toml:14: fence: penetration: found 1e-200; the contact stiffness of a mass of 37.225 that stops from 65 "
+      "within 1.201e-200 is inf; it must be > 0 and finite");
+  BOOST_TEST(
+      built("-65 ft/s", "0 ft/s") ==
+      "s.toml:64: fence: rock 1: velocity: no rock moves; one must, since the contact stiffnesses follow from its "
+      "speed");
+  BOOST_TEST(built("held = [\"x\", ", "held = [") ==
+             "s.toml:50: fence: ground: held: found a ground that can move; it must be held in x, y and rotation");
+}
+
 BOOST_AUTO_TEST_CASE(files_by_extension) {
   BOOST_TEST((fence_format("A.DAT") == FenceFormat::deck));
   BOOST_TEST((fence_format("a.dat") == FenceFormat::deck));
