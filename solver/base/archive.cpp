@@ -11,6 +11,12 @@
 
 namespace talus {
 
+namespace {
+
+bool is_whole(double value, double largest) { return value >= 0.0 && value <= largest && value == std::floor(value); }
+
+}  // namespace
+
 std::vector<std::string> Archive::left_over() const {
   std::vector<std::string> names;
   if (!saved_) return names;
@@ -76,7 +82,7 @@ void Archive::text(std::string_view name, std::string& value) {
 }
 
 void Archive::demand_whole(std::string_view name, double value, double largest) const {
-  if (value >= 0.0 && value <= largest && value == std::floor(value)) return;
+  if (is_whole(value, largest)) return;
   throw InputError{
       fmt::format("{}: found {}; it must be a whole number from 0 to {}", full_name(name), value, largest)};
 }
@@ -96,10 +102,12 @@ void Archive::flag(std::string_view name, bool& value) {
 }
 
 void Archive::numbers(std::string_view name, std::span<std::uint16_t> values) {
+  constexpr double largest = std::numeric_limits<std::uint16_t>::max();
   std::vector<double> kept(values.begin(), values.end());
   numbers(name, kept);
   for (std::size_t i = 0; i < kept.size(); ++i) {
-    demand_whole(name, kept[i], std::numeric_limits<std::uint16_t>::max());
+    // The name of an element is made for an error only: there may be millions.
+    if (!is_whole(kept[i], largest)) demand_whole(fmt::format("{}[{}]", name, i), kept[i], largest);
     values[i] = static_cast<std::uint16_t>(kept[i]);
   }
 }

@@ -18,6 +18,7 @@
 #include "solver/io/file/toml_document.hpp"
 #include "solver/io/output/checkpoint.hpp"
 #include "verification/record/json_fault.hpp"
+#include "verification/record/json_node.hpp"
 
 namespace talus::app {
 namespace {
@@ -79,18 +80,25 @@ SweepFolder read_description(const fs::path& folder, std::size_t& count) {
   SweepFolder sweep;
   sweep.folder = folder;
   const fs::path file = folder / description_name;
+  const auto refused = [&](std::string_view reason) {
+    return InputError{
+        fmt::format("{}: not the description of a sweep; plan the sweep again: {}", file.string(), reason)};
+  };
   try {
     const Json json = Json::parse(read_json_text(file));
-    if (const int found = json.at("schema").get<int>(); found != schema)
+    const records::Node node{json, "sweep"};
+    if (const int found = node.at("schema").integer(); found != schema)
       throw InputError{fmt::format("{}: found schema {}; it must be {}", file.string(), found, schema)};
-    sweep.title = json.at("title").get<std::string>();
-    sweep.outputs = json.at("outputs").get<std::vector<std::string>>();
-    sweep.limits.time = json.at("limits").value("time", 0.0);
-    sweep.limits.evaluations = json.at("limits").value("evaluations", std::int64_t{0});
-    count = json.at("runs").get<std::size_t>();
-  } catch (const nlohmann::json::exception& error) {
-    throw InputError{fmt::format("{}: not the description of a sweep; plan the sweep again: {}", file.string(),
-                                 records::json_fault(error))};
+    sweep.title = node.at("title").text();
+    sweep.outputs = node.at("outputs").texts();
+    const records::Node limits = node.at("limits");
+    if (limits.has("time")) sweep.limits.time = limits.at("time").number();
+    if (limits.has("evaluations")) sweep.limits.evaluations = static_cast<long>(limits.at("evaluations").count());
+    count = node.at("runs").count();
+  } catch (const records::RecordError& error) {
+    throw refused(error.what());
+  } catch (const Json::exception& error) {
+    throw refused(records::json_fault(error));
   }
   sweep.base_text = read_text(folder / base_name);
   return sweep;

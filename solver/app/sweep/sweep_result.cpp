@@ -7,6 +7,7 @@
 
 #include "solver/base/error.hpp"
 #include "verification/record/json_fault.hpp"
+#include "verification/record/json_node.hpp"
 
 namespace talus::app {
 namespace {
@@ -30,23 +31,28 @@ std::string result_line(const SweepResult& result, std::string_view sweep) {
 }
 
 SweepResult result_of_line(const std::string& line, std::string_view sweep) {
+  const auto refused = [](std::string_view reason) {
+    return InputError{fmt::format("not a result; remove this line and run the sweep again: {}", reason)};
+  };
   try {
     const Json json = Json::parse(line);
-    if (json.at("sweep").get<std::string>() != sweep)
+    const records::Node node{json, "result"};
+    if (node.at("sweep").text() != sweep)
       throw InputError{"the result is of another base, or has other outputs or limits; remove it, or plan that sweep"};
     SweepResult result;
-    result.id = json.at("id").get<std::string>();
-    result.end = value_named<SweepEnd>("end", json.at("end").get<std::string>());
-    result.reason = json.value("reason", "");
-    result.time = json.at("time").get<double>();
-    result.evaluations = json.at("evaluations").get<long>();
-    result.verdict = json.value("verdict", "");
-    for (const Json& value : json.at("values"))
-      result.values.push_back(value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>());
+    result.id = node.at("id").text();
+    result.end = value_named<SweepEnd>("end", node.at("end").text());
+    if (node.has("reason")) result.reason = node.at("reason").text();
+    result.time = node.at("time").number();
+    result.evaluations = static_cast<long>(node.at("evaluations").count());
+    if (node.has("verdict")) result.verdict = node.at("verdict").text();
+    for (const records::Node& value : node.at("values").list())
+      result.values.push_back(value.json().is_null() ? std::numeric_limits<double>::quiet_NaN() : value.number());
     return result;
-  } catch (const nlohmann::json::exception& error) {
-    throw InputError{
-        fmt::format("not a result; remove this line and run the sweep again: {}", records::json_fault(error))};
+  } catch (const records::RecordError& error) {
+    throw refused(error.what());
+  } catch (const Json::exception& error) {
+    throw refused(records::json_fault(error));
   }
 }
 

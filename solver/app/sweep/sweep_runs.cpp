@@ -16,6 +16,7 @@
 #include "solver/io/file/toml_field.hpp"
 #include "solver/io/output/checkpoint.hpp"
 #include "verification/record/json_fault.hpp"
+#include "verification/record/json_node.hpp"
 
 namespace talus::app {
 namespace {
@@ -194,15 +195,20 @@ std::string manifest_line(const SweptRun& run) {
 }
 
 SweptRun run_of_line(const std::string& line) {
+  const auto refused = [](std::string_view reason) {
+    return InputError{fmt::format("not a run; remove this line and plan the sweep again: {}", reason)};
+  };
   try {
     const Json json = Json::parse(line);
-    SweptRun run{json.at("id").get<std::string>(), {}};
-    for (const auto& [field, value] : json.at("parameters").items())
-      run.parameters.emplace_back(field, value_of(value));
+    const records::Node node{json, "run"};
+    SweptRun run{node.at("id").text(), {}};
+    for (const auto& [field, value] : node.at("parameters").members())
+      run.parameters.emplace_back(field, value_of(value.json()));
     return run;
-  } catch (const nlohmann::json::exception& error) {
-    throw InputError{
-        fmt::format("not a run; remove this line and plan the sweep again: {}", records::json_fault(error))};
+  } catch (const records::RecordError& error) {
+    throw refused(error.what());
+  } catch (const Json::exception& error) {
+    throw refused(records::json_fault(error));
   }
 }
 

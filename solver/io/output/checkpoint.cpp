@@ -9,6 +9,7 @@
 
 #include "solver/base/error.hpp"
 #include "solver/io/file/json_text.hpp"
+#include "verification/record/json_fault.hpp"
 #include "verification/record/json_number.hpp"
 
 namespace talus {
@@ -53,9 +54,9 @@ class Reader {
     return number;
   }
   long steps() const {
-    const nlohmann::json& value = member("steps", "a whole number > 0");
-    if (!value.is_number_unsigned() || value.get<std::uint64_t>() > 1ULL << 53)
-      refuse("steps", value.dump(), "a whole number > 0");
+    constexpr std::string_view allowed = "a whole number from 0 to 2^53";
+    const nlohmann::json& value = member("steps", allowed);
+    if (!value.is_number_unsigned() || value.get<std::uint64_t>() > 1ULL << 53) refuse("steps", value.dump(), allowed);
     return value.get<long>();
   }
   ArchiveItems memory() const {
@@ -68,16 +69,16 @@ class Reader {
       if (!value.is_array()) refuse("memory: " + name, value.dump(), "a list of numbers or a text");
       std::vector<double> numbers;
       for (const nlohmann::json& element : value)
-        numbers.push_back(list_number(name, element));
+        numbers.push_back(list_number(fmt::format("memory: {}[{}]", name, numbers.size()), element));
       items.emplace(name, std::move(numbers));
     }
     return items;
   }
 
  private:
-  double list_number(const std::string& name, const nlohmann::json& element) const {
+  double list_number(const std::string& field, const nlohmann::json& element) const {
     const std::optional<double> number = records::number_of(element);
-    if (!number) refuse("memory: " + name, element.dump(), "a number");
+    if (!number) refuse(field, element.dump(), "a number");
     return *number;
   }
 
@@ -121,13 +122,18 @@ std::string checkpoint_text(const Checkpoint& checkpoint, std::string_view progr
 
 Checkpoint read_checkpoint(const std::filesystem::path& file, std::string_view program) {
   const std::string content = read_json_text(file);
-  const nlohmann::json json = nlohmann::json::parse(content, nullptr, false);
-  if (!json.is_object()) {
+  const auto fail = [&](std::string_view reason) {
     throw InputError{
-        fmt::format("{}: found {} bytes that are not a JSON object; it must be a checkpoint that talus "
-                    "wrote, whole: was it cut short or changed?",
-                    file.string(), content.size())};
+        fmt::format("{}: {}; it must be a checkpoint that talus wrote, whole: was it cut short or changed?",
+                    file.string(), reason)};
+  };
+  nlohmann::json json;
+  try {
+    json = nlohmann::json::parse(content);
+  } catch (const nlohmann::json::exception& error) {
+    fail(records::json_fault(error));
   }
+  if (!json.is_object()) fail(fmt::format("found {} instead of an object", json.type_name()));
   const Reader reader{file, json};
   const auto demand = [&](std::string_view field, const nlohmann::json& allowed, std::string_view remedy = "") {
     const std::string allowed_text = fmt::format("{}{}", allowed.dump(), remedy);
@@ -136,7 +142,8 @@ Checkpoint read_checkpoint(const std::filesystem::path& file, std::string_view p
   };
   demand("schema", schema, ": resume the run with the version of talus that wrote it, or run the scene again");
   demand("talus", program);
-  demand("fnv1a", fnv1a(std::string_view{content}.substr(0, content.rfind(hash_line))));
+  demand("fnv1a", fnv1a(std::string_view{content}.substr(0, content.rfind(hash_line))),
+         ", the hash of the lines above it: they were changed; run the scene again");
   return {.scene_file = reader.text("scene_file"),
           .scene_fnv1a = reader.text("scene_fnv1a"),
           .integrator = reader.text("integrator"),

@@ -212,8 +212,10 @@ BOOST_AUTO_TEST_CASE(checkpoints_that_are_refused) {
       {replaced(good, "\"talus\": \"", "\"talus\": \"9"), "talus: found \"9"},
       {replaced(good, "\"steps\": 500", "\"steps\": 501"), "fnv1a: found \"" + hash + "\"; it must be \""},
       {good.substr(0, good.size() / 2),
-       "found " + std::to_string(good.size() / 2) + " bytes that are not a JSON object"},
-      {"", "found 0 bytes that are not a JSON object; it must be a checkpoint that talus wrote, whole"}};
+       "parse error at line " + std::to_string(1 + std::count(good.begin(), good.begin() + good.size() / 2, '\n')) +
+           ","},
+      {"[]", "found array instead of an object; it must be a checkpoint that talus wrote, whole"},
+      {"", "parse error at line 1, column 1: "}};
   for (const auto& [text, message] : wrong) {
     std::ofstream{file} << text;
     const Ended ended = talus_ran({"run", "--resume", folder.path.string()});

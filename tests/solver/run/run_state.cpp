@@ -256,7 +256,7 @@ BOOST_AUTO_TEST_CASE(what_is_put_back_must_fit) {
   BOOST_TEST(message("run.step", std::vector{1.5}) ==
              "run.step: found 1.5; it must be a whole number from 0 to 9007199254740992");
   BOOST_TEST(message("run.state.mode", std::vector{0.0, 0.0, 65536.0}) ==
-             "run.state.mode: found 65536; it must be a whole number from 0 to 65535");
+             "run.state.mode[2]: found 65536; it must be a whole number from 0 to 65535");
   BOOST_TEST(message("recorder.history.rows", std::vector{1.0}).starts_with("rows: found 1 numbers; it must be whole"));
   ArchiveItems kept = saving.items();
   kept.erase("run.start");

@@ -59,4 +59,33 @@ BOOST_AUTO_TEST_CASE(a_run_has_a_value_for_each_output_or_none) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(members_of_the_wrong_kind_are_named) {
+  const Folder folder;
+  SweepFolder sweep;
+  sweep.folder = folder.path;
+  sweep.outputs = {"ball.y.end"};
+  write_sweep_folder(sweep);
+  const auto message = [](const auto& read) {
+    try {
+      static_cast<void>(read());
+    } catch (const InputError& error) {
+      return std::string{error.what()};
+    }
+    return std::string{"no error"};
+  };
+  folder.file("results/1.jsonl", "{\"sweep\": \"" + sweep.key() + "\", \"id\": \"1\", \"end\": 3}\n");
+  BOOST_TEST(message([&] { return all_results(sweep); })
+                 .ends_with("1.jsonl:1: not a result; remove this line and run the sweep again: result.end: must be a "
+                            "text, found 3"));
+  folder.file("manifest.jsonl", "{\"id\": 3}\n");
+  BOOST_TEST(message([&] { return read_sweep_folder(folder.path); })
+                 .ends_with("manifest.jsonl:1: not a run; remove this line and plan the sweep again: run.id: must be a "
+                            "text, found 3"));
+  folder.file("sweep.json", "{\"schema\": 1, \"title\": \"t\", \"outputs\": [1]}");
+  BOOST_TEST(
+      message([&] { return read_sweep_folder(folder.path); })
+          .ends_with("sweep.json: not the description of a sweep; plan the sweep again: sweep.outputs[0]: must be "
+                     "a text, found 1"));
+}
+
 BOOST_AUTO_TEST_SUITE_END()

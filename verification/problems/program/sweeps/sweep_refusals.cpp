@@ -188,11 +188,11 @@ void check_refusals(const Program& program, Differences& differ) {
   const std::string manifest = program.read("grid/manifest.jsonl");
   program.write("grid/manifest.jsonl", manifest + "{\"id\": 3}\n");
   const ProgramEnd damaged = program.end({"sweep", "status", "grid"});
-  differ.holds("refusal: a damaged manifest",
-               damaged.exit_code == 2 &&
-                   damaged.messages.find(
-                       "grid/manifest.jsonl:17: not a run; remove this line and plan the sweep again: type must "
-                       "be string, but is number\n") != std::string::npos);
+  differ.holds(
+      "refusal: a damaged manifest",
+      damaged.exit_code == 2 &&
+          damaged.messages.find("grid/manifest.jsonl:17: not a run; remove this line and plan the sweep again: run.id: "
+                                "must be a text, found 3\n") != std::string::npos);
   program.write("grid/manifest.jsonl", manifest.substr(0, manifest.find('\n') + 1));
   const ProgramEnd shorter = program.end({"sweep", "status", "grid"});
   differ.ended("refusal: a shorter manifest", shorter, 2, "found 1 runs; sweep.json has 16");
@@ -205,7 +205,7 @@ void check_refusals(const Program& program, Differences& differ) {
   std::filesystem::create_directory(program.folder().path() / "damaged");
   program.write("damaged/sweep.json", "{\"schema\": 1}\n");
   differ.ended("refusal: a damaged description", program.end({"sweep", "status", "damaged"}), 2,
-               "damaged/sweep.json: not the description of a sweep; plan the sweep again: key 'title' not found\n");
+               "damaged/sweep.json: not the description of a sweep; plan the sweep again: sweep.title: is missing\n");
   std::string lost = program.read(program.files("grid/results").front());
   lost.replace(lost.find("\"finished\""), 10, "\"lost\"");
   program.write("grid/results/wrong.jsonl", lost.substr(0, lost.find('\n') + 1));
