@@ -33,6 +33,7 @@ struct CapacityOptions {
 int capacity(const CapacityOptions& options, const DrawingSink& sink) {
   const fs::path name{options.file};
   const CapacityFile file = read_capacity(read_text(name), name);
+  // Its page consists of figures, and its runs take minutes.
   if (options.sheet) find_sheet_tools();
   SweepFolder folder;
   folder.folder = options.folder.empty() ? name.stem() : fs::path{options.folder};

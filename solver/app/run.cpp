@@ -121,8 +121,6 @@ int run(const SceneOptions& options) {
   if (const auto code = report_ended_run(options, others)) return *code;
   const SceneRequest request = scene_request(options);
   const long last = last_step(options, request);
-  // Missing tools are reported before the run, not after it; a resumed run is not refused for them.
-  if (request.sheet && !request.run.resumes()) find_sheet_tools();
   return live(request.run, [&] { return std::make_unique<RequestedScene>(options, request, last); });
 }
 

@@ -55,7 +55,8 @@ void draw(DrawingRequest request);
 /// Removes the figures of an earlier command from a folder: SVG and PDF files whose names begin so. Errors: IoError.
 void remove_figures(const std::filesystem::path& folder, const std::vector<std::string>& beginnings);
 
-/// Makes the sheet of a run, or of a capacity, from the JSON file in its folder. Errors: IoError, which names the file.
+/// Makes the sheet of a run, or of a capacity, from the JSON file in its folder. Errors: IoError, which names the file
+/// and the programs that are missing or failed; what can be made without them is made.
 void draw_sheet(const std::filesystem::path& file);
 
 /// Checks that the tools that draw_sheet() needs exist. Errors: IoError naming the missing tool.

@@ -437,10 +437,19 @@ BOOST_AUTO_TEST_CASE(drawing_that_fails_says_why_and_leaves_nothing) {
   for (const std::string command : {"plot", "snapshot"})
     refused({command, run, "--out", pictures}, "/nowhere", 4, missing);
   refused({"animate", run, "--gif", "--out", pictures}, "/nowhere", 4, missing);
-  // Before the run, which creates no folder.
+  // A run is made without the programs that draw its sheet; the page then has no drawing.
   const std::string sheet = (folder.path / "sheet").string();
-  refused({"run", scene("fence/table_2.toml"), "--sheet", "--out", sheet}, "/nowhere", 4, missing);
-  BOOST_TEST(!fs::exists(sheet));
+  const std::vector<std::string> with_sheet{"run", scene("fence/sample2.DAT"), "--end", "5 ms", "--sheet", "--out",
+                                            sheet};
+  const Ended bare = ran(TALUS_EXECUTABLE, with_sheet, "", "/nowhere");
+  BOOST_TEST(bare.code == 4);
+  BOOST_TEST(holds(bare.err, "/sheet.json: the sheet is not complete; "), bare.err);
+  BOOST_TEST(holds(bare.err, "gnuplot: cannot be started: "), bare.err);
+  BOOST_TEST(holds(bare.err, "\ntalus: pdflatex: cannot be started: "), bare.err);
+  BOOST_TEST(holds(bare.out, "outcome      finished"), bare.out);
+  BOOST_TEST(holds(bare.out, ", sheet.json, sheet.html\n"), bare.out);
+  for (const char* const name : {"summary.json", "history.csv", "sheet.json", "sheet.html"})
+    BOOST_TEST(fs::exists(fs::path{sheet} / name), name);
 
   // A gnuplot that begins a picture and fails.
   const fs::path broken = folder.path / "gnuplot";
@@ -449,9 +458,7 @@ BOOST_AUTO_TEST_CASE(drawing_that_fails_says_why_and_leaves_nothing) {
   const std::string path = folder.path.string() + ":" + std::getenv("PATH");
   refused({"plot", run, "--out", pictures}, path.c_str(), 4, "(exit status 3):\ntalus: no terminal\n");
   // A run whose sheet is not drawn has the exit status of a failed output; its other files are complete.
-  const Ended undrawn =
-      ran(TALUS_EXECUTABLE, {"run", scene("fence/sample2.DAT"), "--end", "5 ms", "--sheet", "--out", sheet}, "",
-          path.c_str());
+  const Ended undrawn = ran(TALUS_EXECUTABLE, with_sheet, "", path.c_str());
   BOOST_TEST(undrawn.code == 4);
   BOOST_TEST(holds(undrawn.err, "(exit status 3):\ntalus: no terminal\n"), undrawn.err);
   BOOST_TEST(holds(undrawn.out, "outcome      finished"), undrawn.out);
