@@ -5,10 +5,12 @@
 #include <fstream>
 
 #include "reports/base/error.hpp"
+#include "reports/figures/drawing.hpp"
 #include "reports/figures/gnuplot_script.hpp"
 #include "reports/figures/gnuplot_text.hpp"
 #include "reports/figures/page_script.hpp"
 #include "tests/temporary_folder.hpp"
+#include "verification/record/whole_file.hpp"
 
 BOOST_AUTO_TEST_SUITE(plot_tests)
 
@@ -118,6 +120,23 @@ BOOST_AUTO_TEST_CASE(a_script_draws_points_slopes_and_lines) {
                            "'step [s]'", "'error'"}) {
     BOOST_TEST(names(script, part), part);
   }
+}
+
+// Both ends are written with nine digits, and so lie outside of the limits.
+BOOST_AUTO_TEST_CASE(a_slope_that_ends_on_both_limits_is_drawn) {
+  const Folder scratch;
+  write_csv(scratch, "h [s],e\n2,2\n3,3\n");
+  Figure figure = figure_of(true);
+  figure.x.min = 1.0, figure.x.max = 10.0;
+  figure.y.min = 1.0000000004, figure.y.max = 9.9999999996;
+  figure.slopes = {{4.0, 3.0, 3.0, "h^4"}};
+  const std::filesystem::path preamble = std::filesystem::path{TALUS_TEMPLATES} / "../gnuplot/preamble.gp";
+  const std::string script = figure_script(plot_of(figure, scratch.path), {preamble, scratch.path, {"svg"}}, "figure");
+  BOOST_TEST_REQUIRE(names(script, " 1\n"), script);
+  BOOST_TEST_REQUIRE(names(script, " 10\nEND"), script);
+  BOOST_TEST(draw({{"figure", script}}, scratch.path, 1) == "");
+  const std::string picture = talus::records::read_whole(scratch.path / "figure.svg");
+  BOOST_TEST(names(picture, "<path stroke='rgb( 85,  85,  85)'"));  // the grey of slopes
 }
 
 // The title of a y axis has as many lines as the height of its axis requires; none is cut off.

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "solver/app/run/verdict_text.hpp"
 #include "solver/io/file/toml_document.hpp"
 #include "tests/solver/app/program.hpp"
 
@@ -20,6 +21,20 @@ BOOST_AUTO_TEST_CASE(the_summary_of_a_fence_says_how_sensitive_its_verdict_is) {
   BOOST_TEST(holds(made.out, "sensitivity  with 1.001 times the rocks' speed the verdict is unchanged; "), made.out);
   const Ended deck = talus_ran({"run", scene("fence/table_2.DAT")});
   BOOST_TEST(holds(deck.out, "sensitivity  not examined; --sheet repeats the run"), deck.out);
+}
+
+BOOST_AUTO_TEST_CASE(a_rock_that_starts_at_rest_has_no_percentage_of_its_energy) {
+  talus::scenes::RockPassage rock;
+  rock.name = "rock", rock.verdict = talus::scenes::Verdict::stopped;
+  rock.touched = true, rock.end_velocity = {3.0, -4.0}, rock.end_energy = 25.0;
+  const auto line = [&](double approach_energy) {
+    rock.approach_energy = approach_energy;
+    talus::RunRecord record;
+    record.fence.emplace().rocks = {rock};
+    return talus::app::verdict_lines(record).at(1);
+  };
+  BOOST_TEST(line(100.0) == "rock         stopped; still touching at the end: 5 m/s, 25 N m of 100 N m (25.0 %)");
+  BOOST_TEST(line(0.0) == "rock         stopped; still touching at the end: 5 m/s, 25 N m of 0 N m");
 }
 
 // The repeat changes the speed of each rock, and its verdict is that on all of them, whatever their order.

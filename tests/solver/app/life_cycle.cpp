@@ -217,4 +217,21 @@ BOOST_AUTO_TEST_CASE(no_file_of_the_other_kind_stays) {
   }
 }
 
+// Arguments that are not UTF-8 are refused in any case; the name of the current folder is no argument.
+BOOST_AUTO_TEST_CASE(a_run_in_a_folder_whose_name_is_not_utf8_is_refused_before_it_starts) {
+  for (const Kind& kind : kinds()) {
+    BOOST_TEST_CONTEXT(kind.command) {
+      const Folder folder;
+      const fs::path current = folder.path / "caf\xe9";
+      fs::create_directory(current);
+      std::ofstream{current / kind.file} << kind.text;
+      const Ended ended = ran("/bin/sh", {"-c", "cd \"$0\" && exec \"$@\"", current.string(), TALUS_EXECUTABLE,
+                                          kind.command, kind.file, "--out", "out"});
+      BOOST_TEST(ended.code == 2);
+      BOOST_TEST(holds(ended.err, ": the folder of the scene is not UTF-8; the checkpoint names it\n"), ended.err);
+      BOOST_TEST(!fs::exists(current / "out"));
+    }
+  }
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -117,6 +117,14 @@ BOOST_AUTO_TEST_CASE(the_command_line_changes_the_plan) {
   BOOST_TEST(summary.at("steps").get<long>() == 100);
 }
 
+BOOST_AUTO_TEST_CASE(a_step_of_the_command_line_with_which_the_end_is_out_of_reach_is_refused) {
+  const Folder folder;
+  const Ended ended = talus_ran({"run", scene("two_cable.toml"), "--step", "1e-15 s", "--until", "1e-13 s", "--out",
+                                 (folder.path / "out").string()});
+  BOOST_TEST(ended.code == 2);
+  BOOST_TEST(ended.err == "talus: run: the end is 3e+15 steps away; it must be at most 1e12\n");
+}
+
 // For several contacts the summary counts those that never touched, and gives the smallest gap.
 BOOST_AUTO_TEST_CASE(contacts_that_never_touch_are_counted) {
   const Folder folder;

@@ -215,4 +215,27 @@ BOOST_AUTO_TEST_CASE(a_part_runs_once_at_a_time) {
   BOOST_TEST(talus_ran({"sweep", "collect", out}).code == 0);
 }
 
+BOOST_AUTO_TEST_CASE(a_part_whose_folder_cannot_be_opened_does_not_count_as_running) {
+  const Folder folder;
+  const std::string out = planned(folder, "out");
+  fs::create_directories(out + "/parts/1-of-2");
+  // It can open two files, for the lock of its part and the list of parts. Permissions do not apply to root.
+  const Ended ended =
+      ran("/bin/sh", {"-c", "exec 3>&- 4>&-; ulimit -n 5; exec \"$0\" sweep run \"$1\"", TALUS_EXECUTABLE, out});
+  BOOST_TEST(ended.code == 4);
+  BOOST_TEST(ended.err == "talus: " + out + "/parts/1-of-2: Too many open files\n");
+}
+
+// With a limit of the processor time (ulimit -t) its clock advances in ticks of some milliseconds.
+BOOST_AUTO_TEST_CASE(a_plan_estimates_the_time_of_runs_shorter_than_a_tick) {
+  const Folder folder;
+  const std::string file = folder.file("short.toml", "base = \"" + scene("two_cable.toml") +
+                                                         "\"\noutputs = [\"particle.x.max\"]\n[[axis]]\n"
+                                                         "field = \"run.end\"\nvalues = [\"1 ms\", \"2 ms\"]\n");
+  const Ended ended = ran("/bin/sh", {"-c", "ulimit -t 600; exec \"$0\" sweep plan \"$1\" --out \"$2\" --json",
+                                      TALUS_EXECUTABLE, file, (folder.path / "out").string()});
+  BOOST_TEST_REQUIRE(ended.code == 0, ended.err);
+  BOOST_TEST(nlohmann::json::parse(ended.out).at("processor_time").get<double>() > 0.0);
+}
+
 BOOST_AUTO_TEST_SUITE_END()

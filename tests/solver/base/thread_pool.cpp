@@ -1,8 +1,12 @@
 #include "solver/base/thread_pool.hpp"
 
+#include <pthread.h>
 #include <sys/resource.h>
 #include <unistd.h>
+#include <atomic>
 #include <boost/test/unit_test.hpp>
+#include <csignal>
+#include <ctime>
 #include <fstream>
 #include <memory>
 #include <numeric>
@@ -37,6 +41,16 @@ class NoRoom {
  private:
   rlimit before_{};
 };
+
+std::atomic<bool> is_paused{false}, may_continue{false};
+
+/// Handler of a signal: its thread pauses, 10 s at most.
+void pause_thread(int) {
+  is_paused = true;
+  const timespec interval{0, 1'000'000};
+  for (int i = 0; i < 10'000 && !may_continue; ++i)
+    ::nanosleep(&interval, nullptr);
+}
 
 }  // namespace
 
@@ -91,6 +105,27 @@ BOOST_AUTO_TEST_CASE(what_a_part_throws_reaches_the_caller_and_the_team_goes_on)
     });
     BOOST_TEST(done == 1);
   }
+}
+
+// If other programs keep the processors busy, a thread of the pool may not run for some milliseconds.
+BOOST_AUTO_TEST_CASE(the_calling_thread_does_the_part_of_a_thread_that_has_not_begun) {
+  ThreadPool pool{2};
+  std::atomic<pthread_t> other{};
+  pool.each([&](std::size_t k) {
+    if (k == 1) other = ::pthread_self();
+    while (other == pthread_t{})  // so that the calling thread does not take both parts
+      std::this_thread::yield();
+  });
+  std::signal(SIGUSR1, pause_thread);
+  BOOST_REQUIRE(::pthread_kill(other, SIGUSR1) == 0);
+  while (!is_paused)
+    std::this_thread::yield();
+  std::vector<std::thread::id> by(2);
+  pool.each([&](std::size_t k) { by[k] = std::this_thread::get_id(); });
+  may_continue = true;
+  std::signal(SIGUSR1, SIG_DFL);
+  for (const std::thread::id id : by)
+    BOOST_TEST((id == std::this_thread::get_id()));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

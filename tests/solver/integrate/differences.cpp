@@ -5,7 +5,10 @@
 #include <boost/math/quadrature/gauss.hpp>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <string>
 #include <vector>
+
+#include "solver/base/error.hpp"
 
 BOOST_AUTO_TEST_SUITE(differences_tests)
 
@@ -122,6 +125,29 @@ BOOST_AUTO_TEST_CASE(the_oldest_times_are_forgotten) {
   std::vector<double> line{0.0};
   differences.sum(none, 0, std::vector<double>{basis[0].value, basis[1].value}, line);
   BOOST_TEST(line.front() == 6.0, boost::test_tools::tolerance(1e-12));
+}
+
+BOOST_AUTO_TEST_CASE(restored_times_must_decrease_and_fit_the_table) {
+  Differences saved;
+  saved.begin(0.0, std::vector<double>{1.0});
+  saved.add(0.5, std::vector<double>{2.0});
+  Archive archive;
+  saved.serialize(archive, 1);
+  const auto message = [&](const char* item, std::vector<double> value) {
+    ArchiveItems items = archive.items();
+    items.at(item) = std::move(value);
+    Archive restoring{items};
+    try {
+      Differences{}.serialize(restoring, 1);
+    } catch (const InputError& error) {
+      return std::string{error.what()};
+    }
+    return std::string{};
+  };
+  BOOST_TEST(message("times", {0.5, 0.0}) == "");
+  BOOST_TEST(message("times", {0.0, 0.5}) == "times: found 2 of them; at most 13 must be there, the newest first");
+  BOOST_TEST(message("times", {0.5, 0.5}) == "times: found 2 of them; at most 13 must be there, the newest first");
+  BOOST_TEST(message("times", {0.5}) == "differences: found 8 numbers; 1 times of 4 must be there");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

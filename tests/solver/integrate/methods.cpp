@@ -1,8 +1,13 @@
 /// Properties stated by the docstrings of single methods, beyond the contract of all (every_integrator.cpp).
+#include <fmt/format.h>
+
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <numbers>
+#include <string>
+#include <vector>
 
+#include "solver/base/error.hpp"
 #include "solver/integrate/integrator_list.hpp"
 #include "tests/solver/integrate/smooth_systems.hpp"
 
@@ -106,6 +111,36 @@ BOOST_AUTO_TEST_CASE(central_difference_is_the_report_s_stagger) {
   BOOST_TEST(state.v[0] == v);
   BOOST_TEST(state.q[0] == q + h * v);
   BOOST_TEST(synchronized(method, system, state, h).q[0] == q + h * v - 0.5 * h * v);
+}
+
+BOOST_AUTO_TEST_CASE(a_restored_method_with_located_events_has_known_orders_and_guards) {
+  StormerCowell running;
+  running.tolerance = 1e-9;
+  Oscillator system;
+  State state = start();
+  running.start(system, state, 0.05);
+  for (int i = 0; i < 20; ++i)
+    running.step(system, state, 0.05);
+  Archive saved;
+  running.serialize(saved, state);
+  const auto message = [&](const char* item, std::vector<double> value) {
+    ArchiveItems items = saved.items();
+    items.at(item) = std::move(value);
+    Archive restoring{items};
+    try {
+      StormerCowell{}.serialize(restoring, state);
+    } catch (const InputError& error) {
+      return std::string{error.what()};
+    }
+    return std::string{};
+  };
+  for (const char* part : {"order", "used"}) {
+    for (const double wrong : {0.0, 15.0}) {
+      const std::string found = message(part, {wrong});
+      BOOST_TEST(found.starts_with(fmt::format("{}: found {}; it must lie in [1, ", part, wrong)), found);
+    }
+  }
+  BOOST_TEST(message("masked", {1.0}) == "guards: found 0, of which 1 may be masked; there must be 0");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -7,6 +7,7 @@
 #include "solver/integrate/integrator_list.hpp"
 #include "solver/io/fence1993/read_deck.hpp"
 #include "solver/io/read_scene_file.hpp"
+#include "solver/run/energy_ledger.hpp"
 #include "solver/scenes/fence_scene.hpp"
 #include "tests/solver/run/counted_memory.hpp"
 
@@ -73,6 +74,19 @@ BOOST_AUTO_TEST_CASE(columns_that_wake_take_little) {
   const Scene scene = fence("table_2.DAT", Sleep::on);
   const long found = taken_in_steps(scene, scene.integrator, 2e-6, 5000);
   BOOST_TEST(found < 5000, found);
+}
+
+BOOST_AUTO_TEST_CASE(balances_of_states_without_a_snapshot_take_no_memory) {
+  const Scene scene = fence("table_2.DAT", Sleep::off);
+  const Dynamics dynamics{scene.model};
+  State state = scene.initial;
+  RigidBodySystem{dynamics, false}.begin(state);
+  EnergyLedger ledger{dynamics, state};
+  static_cast<void>(ledger.accounts(state));
+  const long before = taken;
+  for (int n = 0; n < 10; ++n)
+    static_cast<void>(ledger.accounts(state));
+  BOOST_TEST(taken == before);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <csignal>
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <thread>
 #include <utility>
@@ -28,10 +29,11 @@ struct Server {
   StartedProgram program;
   int port{};
 
-  explicit Server(const std::string& more = "")
+  explicit Server(const std::string& more = "", const std::map<std::string, std::string>& environment = {})
       : program{TALUS_SERVE,
                 {write_ball_sweep(folder, more).string(), "--port", "0", "--threads", "2"},
-                {.out = folder.path / "out", .err = folder.path / "err"}} {
+                {.out = folder.path / "out", .err = folder.path / "err"},
+                environment} {
     const std::string start = "listening on http://127.0.0.1:";
     std::string line;
     for (int i = 0; i < 500 && line.find('\n') == std::string::npos; ++i) {
@@ -128,6 +130,16 @@ BOOST_AUTO_TEST_CASE(a_signal_ends_the_server_and_its_runs) {
   client.join();
   BOOST_TEST_REQUIRE(answer.first == 500);
   BOOST_TEST(answer.second.at("error").at("message") == "the server ends");
+  BOOST_TEST(server.program.exit_code() == 128 + SIGTERM);
+}
+
+BOOST_AUTO_TEST_CASE(a_signal_before_connections_are_accepted_ends_the_server) {
+  // Otherwise the address sanitizer refuses to start, as it is not loaded first.
+  Server server{"", {{"LD_PRELOAD", TALUS_LATE_LISTENING}, {"ASAN_OPTIONS", "verify_asan_link_order=0"}}};
+  server.program.send(SIGTERM);
+  for (int i = 0; i < 500 && server.program.is_running(); ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds{20});
+  BOOST_TEST_REQUIRE(!server.program.is_running());
   BOOST_TEST(server.program.exit_code() == 128 + SIGTERM);
 }
 

@@ -149,6 +149,17 @@ BOOST_AUTO_TEST_CASE(names_and_keys) {
              "s.toml:22: cable: found a table; each cable is a separate table, headed [[cable]]");
 }
 
+BOOST_AUTO_TEST_CASE(names_that_a_csv_header_cannot_contain_are_refused) {
+  for (const char* name : {"a,b", "a[b", "a]b", R"(a tab\tb)", R"(a delete\u007fb)"}) {
+    const std::string found = message("name = \"ground\"", fmt::format("name = \"{}\"", name));
+    BOOST_TEST(found.starts_with("s.toml:12: body 2: name: found \"a"), found);
+    BOOST_TEST(
+        found.ends_with("b\"; a name heads columns of a CSV file; it must be without commas, quotes, brackets and "
+                        "control characters"),
+        found);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(what_is_missing_or_has_no_place) {
   BOOST_TEST(message("mass = \"3 kg\"\n", "") == "s.toml:4: body 'rock': mass: it is missing");
   BOOST_TEST(message("step = \"1 ms\"\n", "") ==
