@@ -147,7 +147,7 @@ int plan(const SweepOptions& options) {
   const std::string base_name = is_deck(described.base) ? "base.toml" : described.base.string();
   SweepBase base{parse_toml(sweep.base_text, base_name), base_name};
   base.choose(sweep.outputs, described.outputs_location());
-  SweptRuns made = of_file(file, [&] { return swept_runs(described); });
+  SweptRuns made = swept_runs(described);
   sweep.runs = std::move(made.runs);
   base.check_axes(described, sweep.runs.front());
   const std::vector<Sample> samples = samples_of(sweep, base);

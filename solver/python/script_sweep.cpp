@@ -29,7 +29,7 @@ PlannedSweep plan_sweep(const std::string& file) {
   const std::string name = described.base.string();
   TomlValue document = of_scene(name, [&] { return parse_toml(script_text(name, described.base_location()), name); });
   try {
-    std::vector<app::SweptRun> runs = app::of_file(file, [&] { return app::swept_runs(described).runs; });
+    std::vector<app::SweptRun> runs = app::swept_runs(described).runs;
     app::SweepBase{document, name}.check_axes(described, runs.front());
     return {base_of(std::move(document), name), std::move(runs), std::move(described.outputs), described.limits};
   } catch (const SceneInputError&) {

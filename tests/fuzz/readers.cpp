@@ -189,7 +189,7 @@ void add_sweep_readers(std::vector<Reader>& readers) {
          for (const app::SweepAxis& axis : sweep.axes)
            runs *= axis.continuous ? std::max<std::int64_t>(axis.continuous->count, 1) : 1;
          // Many runs take long to list, as they should.
-         return runs > 1000 ? app::SweptRuns{} : named(file, [&] { return app::swept_runs(sweep); });
+         return runs > 1000 ? app::SweptRuns{} : app::swept_runs(sweep);
        })});
   readers.push_back(
       {.name = "capacity",
@@ -343,6 +343,7 @@ void add_verification_readers(std::vector<Reader>& readers) {
          .file = name,
          .corpus = {text},
          .beside = all,
+         .slow = true,  // It reads all five files.
          .read = only([](const fs::path& file) { return verification::read_catalogue(file.parent_path()); })});
     std::erase_if(readers.back().beside, [own = readers.back().file](const auto& each) { return each.first == own; });
   }

@@ -216,6 +216,7 @@ SweepConstraint read_constraint(SceneTable& table, const std::set<std::string>& 
       table.fail(key, unknown_name("field that is varied", field, {varied.begin(), varied.end()}).what());
   };
   SweepConstraint made;
+  made.line = table.line();
   made.field = table.text("field");
   demand_varied("field", made.field);
   const TomlValue *upper = table.value("at_most"), *lower = table.value("at_least");
@@ -352,6 +353,10 @@ std::string SweepFile::axis_location(std::size_t axis) const {
   return fmt::format("{}:{}: axis {}", file, axes[axis].line, axis + 1);
 }
 
+std::string SweepFile::constraint_location(std::size_t constraint) const {
+  return fmt::format("{}:{}: constraint {}", file, constraints[constraint].line, constraint + 1);
+}
+
 std::string SweepFile::outputs_location() const { return fmt::format("{}:{}: outputs", file, outputs_line); }
 
 std::string SweepFile::base_location() const { return fmt::format("{}:{}: base", file, base_line); }
@@ -381,7 +386,7 @@ SweepFile read_sweep(std::string_view text, const fs::path& name) {
     }
     if (file.has("design")) read_design(file.table("design"), sweep);
     std::vector<SceneTable> axes = file.numbered_tables("axis");
-    if (axes.empty()) file.fail("axis", "it is missing; give at least one [[axis]]");
+    if (!file.has("axis")) file.fail("axis", "it is missing; give at least one [[axis]]");
     for (SceneTable& table : axes)
       sweep.axes.push_back(read_axis(table, folder));
     // Of other errors they could be the consequence.

@@ -68,6 +68,7 @@ struct SweepConstraint {
   double factor{1.0};
   std::string other;  ///< path of a field that is varied; empty: the value
   TomlValue value;
+  int line{};  ///< of the file, counted from 1
 };
 
 /// Limits of each run; 0: none.
@@ -90,6 +91,8 @@ struct SweepFile {
 
   /// "rock.toml:7: axis 1", at the beginning of messages.
   [[nodiscard]] std::string axis_location(std::size_t axis) const;
+  /// "rock.toml:12: constraint 1".
+  [[nodiscard]] std::string constraint_location(std::size_t constraint) const;
   /// "rock.toml:3: outputs".
   [[nodiscard]] std::string outputs_location() const;
   [[nodiscard]] std::string base_location() const;

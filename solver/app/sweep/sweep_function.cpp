@@ -78,7 +78,7 @@ SweepResult SweepFunction::operator()(std::span<const double> numbers, const std
   for (std::size_t i = 0; i < inputs_.size(); ++i)
     run.parameters.emplace_back(inputs_[i].field, value_in(numbers[i], inputs_[i].unit));
   run.id = id_of(run);
-  if (const auto broken = broken_constraint(run, sweep_.constraints)) {
+  if (const auto broken = broken_constraint(run, sweep_)) {
     return {run.id, SweepEnd::refused, fmt::format("constraint {}: it is not satisfied", *broken + 1), 0.0, 0, {}, {}};
   }
   return base_.result(run, sweep_.limits, interrupted);

@@ -135,23 +135,23 @@ Json parameters_json(const SweptRun& run) {
 
 SweptRuns swept_runs(const SweepFile& sweep) {
   SweptRuns made;
-  made.runs = sweep.design.kind == DesignKind::grid ? grid(sweep) : sampled(sweep);
+  of_file(sweep.file, [&] { made.runs = sweep.design.kind == DesignKind::grid ? grid(sweep) : sampled(sweep); });
   const std::size_t points = made.runs.size();
-  std::erase_if(made.runs, [&](const SweptRun& run) { return broken_constraint(run, sweep.constraints).has_value(); });
+  std::erase_if(made.runs, [&](const SweptRun& run) { return broken_constraint(run, sweep).has_value(); });
   if (made.runs.empty())
-    throw InputError{
-        fmt::format("constraint: none of the {} runs satisfies all; remove one, or give other axes", points)};
+    throw InputError{fmt::format("{}:{}: constraint: none of the {} runs satisfies all; remove one, or give other axes",
+                                 sweep.file, sweep.constraints.front().line, points)};
   made.left_out = points - made.runs.size();
-  set_ids(made.runs);
+  of_file(sweep.file, [&] { set_ids(made.runs); });
   return made;
 }
 
-std::optional<std::size_t> broken_constraint(const SweptRun& run, const std::vector<SweepConstraint>& constraints) {
-  for (std::size_t i = 0; i < constraints.size(); ++i) {
+std::optional<std::size_t> broken_constraint(const SweptRun& run, const SweepFile& sweep) {
+  for (std::size_t i = 0; i < sweep.constraints.size(); ++i) {
     try {
-      if (!satisfies(run, constraints[i])) return i;
+      if (!satisfies(run, sweep.constraints[i])) return i;
     } catch (const InputError& error) {
-      throw InputError{fmt::format("constraint {}: {}", i + 1, error.what())};
+      throw InputError{fmt::format("{}: {}", sweep.constraint_location(i), error.what())};
     }
   }
   return {};

@@ -24,13 +24,12 @@ struct SweptRuns {
 
 /// All runs of a sweep, in the order of its design; of a grid the last axis changes first. A run has the same id
 /// however many others there are: the second one with the same parameters has another. Errors: InputError if no run
-/// satisfies the constraints, or a constraint compares values of different dimensions.
+/// satisfies the constraints, or a constraint compares values of different dimensions; with the file.
 [[nodiscard]] SweptRuns swept_runs(const SweepFile& sweep);
 
 /// Index of the first constraint that a run breaks. Errors: InputError for values of different dimensions, with the
-/// number of the constraint.
-[[nodiscard]] std::optional<std::size_t> broken_constraint(const SweptRun& run,
-                                                           const std::vector<SweepConstraint>& constraints);
+/// location of the constraint.
+[[nodiscard]] std::optional<std::size_t> broken_constraint(const SweptRun& run, const SweepFile& sweep);
 
 /// The base with the fields of a run. Errors: InputError for a field that the base cannot have.
 [[nodiscard]] TomlValue with_parameters(TomlValue base, const SweptRun& run);

@@ -375,7 +375,12 @@ std::vector<std::string> SceneTable::choices(std::string_view key, const std::ve
 SceneTable SceneTable::table(std::string_view key) {
   const TomlValue& value = demand_at_once(key);
   if (!std::holds_alternative<TomlTable>(value.data)) {
-    fail_at(value.line, key, fmt::format("found {}; it must be a table", found(value)));
+    const auto* const tables = std::get_if<TomlArray>(&value.data);
+    const bool headed_twice = noun_.empty() && tables != nullptr && !tables->empty() &&
+                              std::holds_alternative<TomlTable>(tables->front().data);
+    fail_at(value.line, key,
+            fmt::format("found {}; it must be a table{}", found(value),
+                        headed_twice ? fmt::format(", headed [{}] in place of [[{}]]", key, key) : ""));
   }
   return {*source_, value, noun_.empty() ? std::string{key} : fmt::format("{}: {}", noun_, key)};
 }

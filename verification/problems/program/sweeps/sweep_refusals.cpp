@@ -113,6 +113,10 @@ std::vector<Wrong> wrong_sweeps() {
       {head + "[design]\nkind = \"sobel\"\nruns = 4\n" + mass + "range = [1.0, 2.0]\n", "design: kind: ", true},
       {head + "[desing]\nkind = \"sobol\"\nruns = 4\n" + mass + "range = [1.0, 2.0]\n", "nearest: design", true},
       {head + mass + "range = [1, 3]\ncount = 4\n", "or write the range with decimals, e.g. [0.0, 1.0]", true},
+      {head + "[axis]\nfield = \"body.ball.mass\"\nvalues = [\"1 kg\"]\n",
+       "wrong.toml:3: axis: found a table; each axis is a separate table, headed [[axis]]", true},
+      {head + "[[design]]\nkind = \"sobol\"\n" + good,
+       "wrong.toml:3: design: found [a table]; it must be a table, headed [design] in place of [[design]]"},
       {head + "[design]\nkind = \"sobol\"\n" + good, "design: runs: it is missing"},
       {head + "[design]\nkind = \"sobol\"\nruns = 0\n" + good, "design: runs: found 0"},
       {head + "[limits]\ntime = \"0 s\"\n" + good, "limits: time: found \"0 s\"; it must be > 0"},
@@ -123,9 +127,9 @@ std::vector<Wrong> wrong_sweeps() {
       {head + good + "[[constraint]]\nfield = \"body.ball.mass\"\nat_most = \"one\"\n",
        "at_most: found \"one\"; it must be a field that is varied, a number or a quantity"},
       {head + good + "[[constraint]]\nfield = \"body.ball.mass\"\nat_most = \"1 m\"\n",
-       "wrong.toml: constraint 1: 'body.ball.mass' is a mass, and \"1 m\" is a length; give values of one dimension"},
+       "wrong.toml:6: constraint 1: 'body.ball.mass' is a mass, and \"1 m\" is a length; give values of one dimension"},
       {head + good + "[[constraint]]\nfield = \"body.ball.mass\"\nat_most = \"0.1 kg\"\n",
-       "wrong.toml: constraint: none of the 2 runs satisfies all"},
+       "wrong.toml:6: constraint: none of the 2 runs satisfies all"},
       {head + mass +
            "range = [\"1 kg\", \"2 kg\"]\ncount = 1000000\n[[axis]]\nfield = \"run.step\"\nvalues = [\"1e-4 s\", "
            "\"1e-5 s\"]\n",
