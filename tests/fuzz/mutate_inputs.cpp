@@ -2,13 +2,20 @@
 /// errors that do not say where.
 
 #include <fmt/format.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cerrno>
 #include <cstdlib>
 #include <exception>
 #include <fstream>
+#include <iterator>
+#include <map>
+#include <stdexcept>
+#include <system_error>
+#include <thread>
 
 #include "tests/fuzz/input_campaign.hpp"
 #include "verification/record/audits.hpp"
@@ -27,6 +34,7 @@ struct Options {
   CampaignPlan plan;
   std::vector<std::string> readers;
   std::string json, corpus, replay;
+  std::size_t jobs{std::max(1U, std::thread::hardware_concurrency())};
   bool list{};
 };
 
@@ -90,24 +98,69 @@ talus::records::FuzzAudit audit_of(const std::vector<Tally>& tallies, std::uint6
   return audit;
 }
 
+std::string text_of(const Tally& tally, const CampaignPlan& plan) {
+  std::string text = fmt::format("{:<18}{:>10}{:>10}{:>10}{:>11}{:>10.1f}{:>10}\n", tally.reader, tally.inputs,
+                                 tally.accepted, tally.refused, tally.cut_short, tally.seconds, tally.findings.size());
+  for (const Finding& finding : tally.findings)
+    if (!finding.file.empty() || plan.findings.empty())
+      text += fmt::format("  {}: {} {}\n", finding.input, finding.what, finding.file.string());
+  for (const auto& [pattern, count] : tally.messages)
+    text += fmt::format("  {:>7} {}\n", count, pattern);
+  return text;
+}
+
+/// A process that gives one reader its inputs and writes the result into the folder of the reader. A thread would fork
+/// the processes of the inputs while others hold locks.
+pid_t started(const Reader& reader, const CampaignPlan& plan, const fs::path& folder) {
+  fs::create_directories(folder);
+  std::fflush(nullptr);
+  const pid_t process = ::fork();
+  if (process < 0) throw std::system_error{errno, std::generic_category(), "fork"};
+  if (process > 0) return process;
+  int status = 4;
+  try {
+    const Tally tally = run_inputs(reader, plan, folder);
+    std::ofstream{folder / "text"} << text_of(tally, plan);
+    talus::records::write_fuzz(audit_of({tally}, plan.seed), folder / "fuzz.json");
+    status = 0;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "talus_mutate_inputs: {}: {}\n", reader.name, error.what());
+  }
+  std::fflush(nullptr);
+  std::_Exit(status);
+}
+
+/// Runs the readers side by side, and prints their results in their order as soon as they are there.
 int run(const std::vector<Reader>& readers, const Options& options, const fs::path& scratch) {
   fmt::print("{:<18}{:>10}{:>10}{:>10}{:>11}{:>10}{:>10}\n", "reader", "inputs", "accepted", "refused", "cut short",
              "seconds", "findings");
-  std::vector<Tally> tallies;
-  std::size_t findings = 0;
-  for (const Reader& reader : readers) {
-    if (::isatty(STDERR_FILENO) != 0) fmt::print(stderr, "{} ...\r", reader.name);
-    const Tally& tally = tallies.emplace_back(run_inputs(reader, options.plan, scratch));
-    fmt::print("{:<18}{:>10}{:>10}{:>10}{:>11}{:>10.1f}{:>10}\n", tally.reader, tally.inputs, tally.accepted,
-               tally.refused, tally.cut_short, tally.seconds, tally.findings.size());
-    for (const Finding& finding : tally.findings)
-      if (!finding.file.empty() || options.plan.findings.empty())
-        fmt::print("  {}: {} {}\n", finding.input, finding.what, finding.file.string());
-    for (const auto& [pattern, count] : tally.messages)
-      fmt::print("  {:>7} {}\n", count, pattern);
-    std::fflush(stdout);
-    findings += tally.findings.size();
-    if (!options.json.empty()) talus::records::write_fuzz(audit_of(tallies, options.plan.seed), options.json);
+  const auto folder_of = [&](std::size_t reader) { return scratch / readers[reader].name; };
+  std::map<pid_t, std::size_t> running;
+  std::vector<bool> ended(readers.size());
+  talus::records::FuzzAudit audit{options.plan.seed, {}};
+  std::size_t next = 0, printed = 0, findings = 0;
+  while (printed < readers.size()) {
+    while (next < readers.size() && running.size() < options.jobs) {
+      running.emplace(started(readers[next], options.plan, folder_of(next)), next);
+      ++next;
+    }
+    int status = 0;
+    const pid_t process = ::waitpid(-1, &status, 0);
+    if (process < 0 && errno == EINTR) continue;
+    if (process < 0) throw std::system_error{errno, std::generic_category(), "waitpid"};
+    const std::size_t reader = running.at(process);
+    if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
+      throw std::runtime_error(fmt::format("the process of reader '{}' failed", readers[reader].name));
+    running.erase(process);
+    ended[reader] = true;
+    for (; printed < readers.size() && ended[printed]; ++printed) {
+      std::ifstream in{folder_of(printed) / "text"};
+      fmt::print("{}", std::string{std::istreambuf_iterator<char>{in}, {}});
+      audit.readers.push_back(talus::records::read_audits(folder_of(printed), {}).fuzz->readers.at(0));
+      findings += audit.readers.back().findings;
+      std::fflush(stdout);
+      if (!options.json.empty()) talus::records::write_fuzz(audit, options.json);
+    }
   }
   return findings == 0 ? 0 : 1;
 }
@@ -116,7 +169,8 @@ void describe(CLI::App& app, Options& options) {
   app.description(
       "Lets the readers of Talus read mutated files, in child processes.\n"
       "Exit statuses: 0 no finding, 1 findings, 2 wrong usage, 4 a file or process failed.");
-  app.add_option("--inputs", options.plan.inputs, "inputs of a reader; a quarter of them for one that runs models")
+  app.add_option("--inputs", options.plan.inputs,
+                 "inputs of a reader; a quarter of them for one that runs models or reads several files")
       ->check(CLI::Range(1L, 1'000'000'000L));
   app.add_option("--seed", options.plan.seed, "the same inputs for the same seed");
   app.add_option("--readers", options.readers, "names of the readers; default: all")->delimiter(',');
@@ -124,6 +178,8 @@ void describe(CLI::App& app, Options& options) {
       ->check(CLI::Range(1L, 3600L));
   app.add_option("--findings", options.plan.findings, "folder in which inputs that are findings are kept");
   app.add_option("--json", options.json, "file for the table's numbers");
+  app.add_option("--jobs", options.jobs, "readers at a time; default the number of processors")
+      ->check(CLI::Range(1, 1024));
   app.add_flag("--messages", options.plan.messages,
                "list the distinct errors of each reader, without numbers and names");
   app.add_option("--corpus", options.corpus, "write the sound files into this folder, one folder a reader, and end");
