@@ -82,8 +82,9 @@ std::string defects_text(const std::vector<records::Defect>& defects, const Resu
   std::map<std::string, Rows> areas;
   for (const records::Defect& defect : defects) {
     ++counts[defect.found_by][defect.area];
-    areas[defect.area].push_back({markdown::text(defect.what), cell(defect.found_by),
-                                  defect.test.empty() ? link_of(results, defect.case_id) : markdown::code(defect.test)});
+    areas[defect.area].push_back(
+        {markdown::text(defect.what), cell(defect.found_by),
+         defect.test.empty() ? link_of(results, defect.case_id) : markdown::code(defect.test)});
   }
   std::vector<markdown::Column> columns{{"found by"}};
   for (const auto& [area, rows] : areas)

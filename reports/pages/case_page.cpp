@@ -192,7 +192,7 @@ std::string case_page(const Record& record, std::size_t chapter, const Drawn& dr
 }
 
 std::string case_details(const Record& record, std::size_t chapter, const Drawn& drawn,
-                         const std::filesystem::path& templates) {
+                         const std::filesystem::path& templates, const std::string& bugs) {
   mustache::data values;
   values.set("heading", details_heading(record));
   values.set("source", record.source);
@@ -208,7 +208,8 @@ std::string case_details(const Record& record, std::size_t chapter, const Drawn&
   for (const std::string& note : record.notes)
     notes += markdown::with_headings_below(note, 4) + "\n";
   values.set("notes", notes);
-  for (const char* part : {"source", "requirements", "controls", "figures", "tables", "notes"})
+  values.set("bugs", bugs);
+  for (const char* part : {"source", "requirements", "controls", "figures", "tables", "notes", "bugs"})
     values.set(std::string("has_") + part, !values.get(part)->string_value().empty());
   return filled(templates / "details.mustache", values);
 }

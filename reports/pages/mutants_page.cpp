@@ -272,6 +272,20 @@ std::string mutants_text(const Mutants& mutants, const Results& results, bool pi
   return text;
 }
 
+std::string bugs_text(const Mutants& mutants, const std::string& case_id) {
+  const auto red = [&](const MutantRecord* mutant) {
+    return std::ranges::any_of(mutant->trials,
+                               [&](const Trial& trial) { return trial.case_id == case_id && kills(trial); });
+  };
+  std::string text;
+  for (const MutantRecord* bug : written(mutants)) {
+    if (red(bug)) text += fmt::format("- {}\n", markdown::text(bug->description));
+  }
+  const auto others = std::ranges::count_if(generated(mutants), red);
+  if (others > 0) text += fmt::format("- Generated [mutants](page:mutants): {}.\n", others);
+  return text;
+}
+
 std::string gate_text(const Mutants& mutants) {
   const Score score = score_of(generated(mutants));
   const Score bugs = score_of(written(mutants));

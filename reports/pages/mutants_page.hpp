@@ -16,6 +16,9 @@ namespace talus::reports {
 /// The chapter as Markdown, without its heading; with its figures if `pictures`.
 [[nodiscard]] std::string mutants_text(const records::Mutants& mutants, const Results& results, bool pictures);
 
+/// The written bugs with which a case was red, and the number of generated mutants; empty if there are none.
+[[nodiscard]] std::string bugs_text(const records::Mutants& mutants, const std::string& case_id);
+
 /// Score and survivors of the small sample that the full tier runs.
 [[nodiscard]] std::string gate_text(const records::Mutants& mutants);
 

@@ -157,8 +157,10 @@ std::vector<ReportPage> report_pages(const Results& results, const records::Audi
     for (const Record& record : results.records) {
       if (record.family != name) continue;
       ++number;
+      const std::string bugs = audits.mutants ? bugs_text(*audits.mutants, record.id) : "";
       pages.push_back({record.id, case_heading(record), name.empty() ? "others" : name,
-                       case_page(record, number, drawn, templates), case_details(record, number, drawn, templates)});
+                       case_page(record, number, drawn, templates),
+                       case_details(record, number, drawn, templates, bugs)});
     }
   };
   for (const std::string& name : results.families)

@@ -38,9 +38,9 @@ struct Drawn {
 [[nodiscard]] std::string case_page(const Record& record, std::size_t chapter, const Drawn& drawn,
                                     const std::filesystem::path& templates);
 
-/// Details of the case for the appendix: all checks, controls, tables, further figures, notes.
+/// Details of the case for the appendix: all checks, controls, tables, further figures, `bugs` (Markdown), notes.
 [[nodiscard]] std::string case_details(const Record& record, std::size_t chapter, const Drawn& drawn,
-                                       const std::filesystem::path& templates);
+                                       const std::filesystem::path& templates, const std::string& bugs);
 
 /// A page of the report: of a case, or of a chapter. On paper its two texts are in two volumes, in the site they follow
 /// each other. Links to other pages are written `](page:NAME)` and `](details:NAME)`; see resolved().

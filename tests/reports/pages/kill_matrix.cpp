@@ -126,6 +126,14 @@ BOOST_AUTO_TEST_CASE(the_greedy_order_takes_the_best_first_and_of_equal_ones_the
   BOOST_TEST(order[1].more == 1u);
 }
 
+BOOST_AUTO_TEST_CASE(a_case_names_the_bugs_that_turn_it_red) {
+  Mutants all = some();
+  all.mutants.back().description = "The fence is doubled.";
+  BOOST_TEST(bugs_text(all, "fence") == "- The fence is doubled.\n");
+  BOOST_TEST(bugs_text(all, "column") == "- Generated [mutants](page:mutants): 2.\n");
+  BOOST_TEST(bugs_text(all, "another") == "");
+}
+
 BOOST_AUTO_TEST_CASE(who_kills_alone) {
   const Mutants all = some();
   const auto alone = lone_killers(generated(all));
