@@ -192,8 +192,9 @@ std::set<double> numbers_of_records(const fs::path& verify, const fs::path& temp
     if (audit == "fuzz") collect_readers(found, numbers);
     if (audit == "lines") collect_lines(found, numbers);
   }
-  if (!audits.empty() && fs::exists(audits / "origins.json"))
-    collect(json::parse(read_whole(audits / "origins.json")), numbers);
+  for (const char* name : {"origins.json", "defects.json"}) {
+    if (!audits.empty() && fs::exists(audits / name)) collect(json::parse(read_whole(audits / name)), numbers);
+  }
   for (const auto& entry : fs::directory_iterator(templates / "chapters"))
     collect(read_whole(entry.path()), numbers);
   return numbers;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
 #include <map>
 #include <vector>
@@ -34,6 +35,15 @@ void add(ExecutedSource& sum, const ExecutedSource& source) {
 std::vector<std::string> executed_row(const std::string& name, const ExecutedSource& source) {
   return {name, fmt::format("{}", source.lines), percent(source.executed_lines, source.lines),
           fmt::format("{}", source.branches), percent(source.executed_branches, source.branches)};
+}
+
+/// The name of a unit test, "suite: what it shows" as a sentence, which lines can be broken in; or the file of a test.
+std::string test_text(const std::string& test) {
+  const std::size_t slash = test.find("_tests/");
+  if (slash == std::string::npos) return markdown::code(test);
+  std::string text = test.substr(0, slash) + ": " + test.substr(slash + 7);
+  std::ranges::replace(text, '_', ' ');
+  return cell(text);
 }
 
 }  // namespace
@@ -82,9 +92,8 @@ std::string defects_text(const std::vector<records::Defect>& defects, const Resu
   std::map<std::string, Rows> areas;
   for (const records::Defect& defect : defects) {
     ++counts[defect.found_by][defect.area];
-    areas[defect.area].push_back(
-        {markdown::text(defect.what), cell(defect.found_by),
-         defect.test.empty() ? link_of(results, defect.case_id) : markdown::code(defect.test)});
+    areas[defect.area].push_back({markdown::text(defect.what), cell(defect.found_by),
+                                  defect.test.empty() ? link_of(results, defect.case_id) : test_text(defect.test)});
   }
   std::vector<markdown::Column> columns{{"found by"}};
   for (const auto& [area, rows] : areas)

@@ -166,8 +166,8 @@ std::vector<ReportPage> report_pages(const Results& results, const records::Audi
   for (const std::string& name : results.families)
     family(name);
   family("");
-  for (const char* name : {"formulas", "peers", "margins", "mutants", "interface", "rounding", "fuzz", "faults",
-                           "lines", "defects", "traceability", "references", "provenance", "colophon"})
+  for (const char* name : {"formulas", "peers", "margins", "mutants", "interface", "rounding", "audits", "defects",
+                           "traceability", "references", "provenance", "colophon"})
     chapter(name, values, Volume::details);
   return pages;
 }

@@ -87,7 +87,7 @@ BOOST_AUTO_TEST_CASE(defects_are_listed_by_area) {
   BOOST_TEST(contains(text, "| case | 0 | 1 | 1 |"), text);
   BOOST_TEST(contains(text, "## Physics"), text);
   BOOST_TEST(contains(text, "| A sign was wrong. | case | column |"), text);
-  BOOST_TEST(contains(text, "`faults_tests/a_full_disk`"), text);
+  BOOST_TEST(contains(text, "| faults: a full disk |"), text);
   recorded.file("defects.json", R"({"defects": [{"what": "a", "area": "b", "found_by": "c", "commit": "d", "case": "",
                                                 "test": ""}]})");
   BOOST_TEST(contains(message_of({}, recorded.path), "defects.json: defects.defects[0]: must have either a case or a"));
