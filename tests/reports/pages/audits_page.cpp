@@ -117,8 +117,8 @@ BOOST_AUTO_TEST_CASE(numbers_of_audits_are_in_their_records) {
                                {"audit": "faults", "revision": "4444444444", "date": "2026-02-03", "command": "a"},
                                {"audit": "lines", "revision": "4444444444", "date": "2026-02-03", "command": "a"}]})");
   const Audits audits = read_audits(run.path, recorded.path);
-  const std::string text = fuzz_text(*audits.fuzz) + faults_text(*audits.faults) + lines_text(*audits.lines) +
-                           origin_text(audits, "fuzz");
+  const std::string text =
+      fuzz_text(*audits.fuzz) + faults_text(*audits.faults) + lines_text(*audits.lines) + origin_text(audits, "fuzz");
   const auto unfounded = [&](const std::string& of) {
     return unfounded_numbers(of, numbers_of_records(run.path, TALUS_TEMPLATES, recorded.path)).size();
   };
