@@ -82,7 +82,8 @@ std::string fuzz_text(const records::FuzzAudit& audit) {
 std::string faults_text(const records::FaultAudit& audit) {
   return fmt::format(
       "{} kills: {} before the first checkpoint, after which the run was started again, {} later, after which it was "
-      "resumed; some runs ended before their kill. **{} of {} runs ended with the files of an undisturbed run, byte by byte.** Kills left {} temporary "
+      "resumed; some runs ended before their kill. **{} of {} runs ended with the files of an undisturbed run, byte by "
+      "byte.** Kills left {} temporary "
       "files, which the next run removed.\n",
       audit.kills, audit.before_checkpoint, audit.resumed, audit.identical, audit.runs, audit.temporary_files);
 }

@@ -295,13 +295,13 @@ BOOST_AUTO_TEST_CASE(control_characters_of_a_file_are_escaped) {
     return message;
   };
   for (const auto& [what, by] :
-       std::vector<std::pair<std::string, std::string>>{{"units = \"SI", R"(units = "S\u001b\nI)"},
-                                                        {"\"2 kg", R"("2 \u001b\nkg)"},
-                                                        {"name = \"particle", R"(name = "\u009b\u001b\nparticle)"},
-                                                        {"mobility", R"("mob\u001b\nility")"}}) {
+       std::vector<std::pair<std::string, std::string>>{{"units = \"SI", R"(units = "S\u001b\u0007I)"},
+                                                        {"\"2 kg", R"("2 \u001b\u0007kg)"},
+                                                        {"name = \"particle", R"(name = "\u009b\u001b\u0007particle)"},
+                                                        {"mobility", R"("mob\u001b\u0007ility")"}}) {
     const std::string message = error(what, by);
     BOOST_TEST(holds(message, R"(wrong\x1b.toml:)"), message);
-    BOOST_TEST(holds(message, R"(\x1b\n)"), message);
+    BOOST_TEST(holds(message, R"(\x1b\x07)"), message);
   }
   const std::string deck = talus::read_text(scene("fence/sample2.DAT"));
   const std::string wrong = folder.file("wrong.DAT", replaced(deck, "\n3 -1", "\n\x1b[31m -1"));
