@@ -29,16 +29,6 @@ std::string case_link(const Record& record) {
   return fmt::format("[{}](page:{})", markdown::text(record.id), record.id);
 }
 
-const Check* check_of(const Results& results, const std::string& case_id, const std::string& name) {
-  for (const Record& record : results.records) {
-    if (record.id != case_id) continue;
-    for (const Check& check : record.checks) {
-      if (check.name == name) return &check;
-    }
-  }
-  return nullptr;
-}
-
 std::string link_of(const Results& results, const std::string& id) {
   for (const Record& record : results.records) {
     if (record.id == id) return case_link(record);

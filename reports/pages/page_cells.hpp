@@ -19,9 +19,6 @@ namespace talus::reports {
 /// The case's id, linked to its page.
 [[nodiscard]] std::string case_link(const Record& record);
 
-/// The check of that name in the case; null if there is none.
-[[nodiscard]] const Check* check_of(const Results& results, const std::string& case_id, const std::string& name);
-
 /// Link to the page of the case with that id; the bare id if it has no record.
 [[nodiscard]] std::string link_of(const Results& results, const std::string& id);
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "verification/record/json_fields.hpp"
-#include "verification/record/whole_file.hpp"
 
 namespace talus::records {
 
@@ -19,33 +18,8 @@ struct Defects {
   std::vector<Defect> defects;
 };
 
-const Check* check_of(const Results& results, const std::string& case_id, const std::string& name) {
-  for (const Record& record : results.records) {
-    if (record.id != case_id) continue;
-    const auto found = std::ranges::find(record.checks, name, &Check::name);
-    return found == record.checks.end() ? nullptr : &*found;
-  }
-  return nullptr;
-}
-
 RoundedResult rounded_result(const Check* check) {
   return check == nullptr ? RoundedResult{} : RoundedResult{true, check->margin, check->pass};
-}
-
-template <class T>
-T read_file(const fs::path& file, const char* what) {
-  const Json json = read_json(file);
-  T value;
-  const Reader reader{Node{json, file.filename().string() + ": " + what}, Completeness::complete};
-  fields(reader, value);
-  return value;
-}
-
-template <class T>
-void write_file(const T& value, const fs::path& file) {
-  Writer writer;
-  fields(writer, value);
-  write_whole(file, std::move(writer).json().dump(1) + "\n");
 }
 
 }  // namespace
@@ -75,6 +49,16 @@ void fields(auto& f, Like<RoundingAudit> auto& audit) {
   f.value("modes", audit.modes);
   f.value("kinds", audit.kinds);
   f.value("checks", audit.checks);
+}
+
+void demand_sound(const Node& node, const RoundingAudit& audit) {
+  const auto demand = [&](std::size_t found) {
+    if (found != audit.modes.size()) node.fail("each kind and check must have one result for each of the modes");
+  };
+  for (const RoundedKind& kind : audit.kinds)
+    demand(kind.failed.size());
+  for (const RoundedCheck& check : audit.checks)
+    demand(check.rounded.size());
 }
 
 void fields(auto& f, Like<FuzzedReader> auto& reader) {
@@ -133,7 +117,6 @@ void fields(auto& f, Like<AuditOrigin> auto& origin) {
   f.nonempty_text("audit", origin.audit);
   f.nonempty_text("revision", origin.revision);
   f.nonempty_text("date", origin.date);
-  f.nonempty_text("command", origin.command);
 }
 
 void fields(auto& f, Like<Origins> auto& origins) { f.value("audits", origins.audits); }
@@ -188,18 +171,7 @@ Audits read_audits(const fs::path& run, const fs::path& recorded) {
   read("mutants", audits.mutants, read_mutants);
   read("gate", audits.gate, read_mutants);
   read("interface", audits.interface, read_interface);
-  read("rounding", audits.rounding, [](const fs::path& file) {
-    auto audit = read_file<RoundingAudit>(file, "rounding");
-    const auto demand = [&](std::size_t found) {
-      if (found != audit.modes.size())
-        throw RecordError(file.string() + ": each kind and check must have one result for each of the modes");
-    };
-    for (const RoundedKind& kind : audit.kinds)
-      demand(kind.failed.size());
-    for (const RoundedCheck& check : audit.checks)
-      demand(check.rounded.size());
-    return audit;
-  });
+  read("rounding", audits.rounding, [](const fs::path& file) { return read_file<RoundingAudit>(file, "rounding"); });
   read("fuzz", audits.fuzz, [](const fs::path& file) { return read_file<FuzzAudit>(file, "fuzz"); });
   read("faults", audits.faults, [](const fs::path& file) { return read_file<FaultAudit>(file, "faults"); });
   read("lines", audits.lines, [](const fs::path& file) { return read_file<ExecutedLines>(file, "lines"); });

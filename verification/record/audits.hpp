@@ -105,8 +105,7 @@ struct Defect {
 struct AuditOrigin {
   std::string audit{};  ///< "mutants", "interface", "rounding", "fuzz", "faults", "lines"
   std::string revision{};
-  std::string date{};     ///< YYYY-MM-DD
-  std::string command{};  ///< that repeats it
+  std::string date{};  ///< YYYY-MM-DD
 };
 
 /// Results of audits; absent if there are none.

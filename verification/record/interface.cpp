@@ -1,7 +1,6 @@
 #include "verification/record/interface.hpp"
 
 #include "verification/record/json_fields.hpp"
-#include "verification/record/whole_file.hpp"
 
 namespace talus::records {
 
@@ -28,18 +27,11 @@ void fields(auto& f, Like<Interface> auto& all) {
 }
 
 void write_interface(const std::vector<InterfaceItem>& items, const std::filesystem::path& file) {
-  const Interface all{items};
-  Writer writer;
-  fields(writer, all);
-  write_whole(file, std::move(writer).json().dump(1) + "\n");
+  write_file(Interface{items}, file);
 }
 
 std::vector<InterfaceItem> read_interface(const std::filesystem::path& file) {
-  const Json json = read_json(file);
-  Interface all;
-  const Reader reader{Node{json, file.filename().string() + ": interface"}, Completeness::complete};
-  fields(reader, all);
-  return all.items;
+  return read_file<Interface>(file, "interface").items;
 }
 
 }  // namespace talus::records

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <concepts>
 #include <cstddef>
+#include <filesystem>
 #include <limits>
 #include <optional>
 #include <string>
@@ -25,6 +26,7 @@
 #include "verification/record/json_node.hpp"
 #include "verification/record/json_number.hpp"
 #include "verification/record/names.hpp"
+#include "verification/record/whole_file.hpp"
 
 namespace talus::records {
 
@@ -220,6 +222,21 @@ void read_into(const Node& node, T& value, Completeness completeness) {
     fields(reader, value);
     if constexpr (requires { demand_sound(node, value); }) demand_sound(node, value);
   }
+}
+
+/// The object in a file; `what` names it in messages. FileError if the file cannot be read; RecordError.
+template <class T>
+[[nodiscard]] T read_file(const std::filesystem::path& file, const char* what) {
+  const Json json = read_json(file);
+  T value;
+  read_into(Node{json, file.filename().string() + ": " + what}, value, Completeness::complete);
+  return value;
+}
+
+/// Writes an object to a file. FileError.
+template <class T>
+void write_file(const T& value, const std::filesystem::path& file) {
+  write_whole(file, json_of(value).dump(1) + "\n");
 }
 
 /// Throws RecordError, naming the list, if two of `things` have the same name.

@@ -1,7 +1,6 @@
 #include "verification/record/mutants.hpp"
 
 #include "verification/record/json_fields.hpp"
-#include "verification/record/whole_file.hpp"
 
 namespace talus::records {
 
@@ -78,18 +77,8 @@ void count(Score& score, const MutantRecord& mutant) {
   }
 }
 
-void write_mutants(const Mutants& mutants, const std::filesystem::path& file) {
-  Writer writer;
-  fields(writer, mutants);
-  write_whole(file, std::move(writer).json().dump(1) + "\n");
-}
+void write_mutants(const Mutants& mutants, const std::filesystem::path& file) { write_file(mutants, file); }
 
-Mutants read_mutants(const std::filesystem::path& file) {
-  const Json json = read_json(file);
-  Mutants mutants;
-  const Reader reader{Node{json, file.filename().string() + ": mutants"}, Completeness::complete};
-  fields(reader, mutants);
-  return mutants;
-}
+Mutants read_mutants(const std::filesystem::path& file) { return read_file<Mutants>(file, "mutants"); }
 
 }  // namespace talus::records

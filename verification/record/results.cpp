@@ -27,6 +27,16 @@ long long epoch_seconds(const std::string& iso_date) {
   return days * 86400 + hour * 3600 + minute * 60 + second;
 }
 
+const Check* check_of(const Results& results, const std::string& case_id, const std::string& name) {
+  for (const Record& record : results.records) {
+    if (record.id != case_id) continue;
+    for (const Check& check : record.checks) {
+      if (check.name == name) return &check;
+    }
+  }
+  return nullptr;
+}
+
 Counts counts_of(const Results& results) {
   Counts counts;
   for (const Record& record : results.records) {

@@ -106,6 +106,9 @@ struct Results {
   std::string bibliography;             ///< The works that are cited, in BibTeX; may be empty.
 };
 
+/// The check of that name in the case; null if there is none.
+[[nodiscard]] const Check* check_of(const Results& results, const std::string& case_id, const std::string& name);
+
 [[nodiscard]] Counts counts_of(const Results& results);
 
 /// True if something was run, each selected case has one record, in that order, and each of these passed.
