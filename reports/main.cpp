@@ -130,11 +130,12 @@ int main(int argc, char** argv) {
                      !options.sheet.empty() + !options.site.empty() + !options.sketches.empty();
     if (jobs != 1 || options.verify.empty() != (options.report.empty() && !rounding)) {
       throw CLI::ValidationError(
-          "give either two folders, VERIFY and REPORT, or VERIFY --rounding FILE, --plot DIR, --sheet DIR, --site "
-          "FILES "
-          "--to DIR, or --sketches FILES --to DIR");
+          "give either two folders, VERIFY and REPORT, or VERIFY --rounding FILE, --plot DIR, --sheet DIR, "
+          "--site FILES --to DIR, or --sketches FILES --to DIR");
     }
     if (options.check && options.report.empty()) throw CLI::ValidationError("--check requires VERIFY and REPORT");
+    if (!options.audits.empty() && options.report.empty())
+      throw CLI::ValidationError("--audits requires VERIFY and REPORT");
     if (!(options.site.empty() && options.sketches.empty()) && options.to.empty())
       throw CLI::ValidationError("--site and --sketches require --to (the folder that receives what is made)");
   } catch (const CLI::ParseError& wrong) {

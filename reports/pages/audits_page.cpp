@@ -48,11 +48,13 @@ std::string test_text(const std::string& test) {
 
 }  // namespace
 
-std::string origin_text(const records::Audits& audits, const std::string& audit) {
+std::string origin_text(const records::Audits& audits, const std::string& audit, const std::string& command) {
   const records::AuditOrigin* const origin = audits.origin(audit);
-  if (origin == nullptr) return "";
+  if (origin == nullptr)
+    return fmt::format("*The last result of {} in this build; it may be of an earlier revision.*\n\n",
+                       markdown::code(command));
   return fmt::format("*Recorded on {} at revision {}, not measured in this run; {} repeats it.*\n\n", origin->date,
-                     origin->revision, markdown::code(origin->command));
+                     origin->revision, markdown::code(command));
 }
 
 std::string fuzz_text(const records::FuzzAudit& audit) {
@@ -83,8 +85,7 @@ std::string faults_text(const records::FaultAudit& audit) {
   return fmt::format(
       "{} kills: {} before the first checkpoint, after which the run was started again, {} later, after which it was "
       "resumed; some runs ended before their kill. **{} of {} runs ended with the files of an undisturbed run, byte by "
-      "byte.** Kills left {} temporary "
-      "files, which the next run removed.\n",
+      "byte.** Kills left {} temporary files, which the next run removed.\n",
       audit.kills, audit.before_checkpoint, audit.resumed, audit.identical, audit.runs, audit.temporary_files);
 }
 

@@ -9,8 +9,9 @@
 
 namespace talus::reports {
 
-/// When an audit was made, if not with the reported run, and the command that repeats it.
-[[nodiscard]] std::string origin_text(const records::Audits& audits, const std::string& audit);
+/// When an audit was made, and the command that repeats it.
+[[nodiscard]] std::string origin_text(const records::Audits& audits, const std::string& audit,
+                                      const std::string& command);
 
 /// Readers, the mutated files that each was given, and the findings.
 [[nodiscard]] std::string fuzz_text(const records::FuzzAudit& audit);

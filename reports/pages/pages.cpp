@@ -102,7 +102,7 @@ const ReportPage& page_of(const std::vector<ReportPage>& pages, const std::strin
 /// The chapters on audits; one that is neither of this run nor recorded gives the command that makes it.
 void set_audits(mustache::data& values, const records::Audits& audits, const Results& results, const Drawn& drawn) {
   const auto set = [&](const char* audit, const char* command, const auto& found, auto&& text_of) {
-    values.set(audit, found ? origin_text(audits, audit) + text_of(*found)
+    values.set(audit, found ? origin_text(audits, audit, command) + text_of(*found)
                             : fmt::format("Not measured in this run: {} does so.\n", markdown::code(command)));
   };
   set("mutants", "make mutants", audits.mutants,

@@ -49,6 +49,13 @@ BOOST_AUTO_TEST_CASE(a_number_that_is_not_in_the_results_is_found) {
   BOOST_TEST(wrong.status == 1);
   BOOST_TEST(wrong.messages ==
              "talus_report: numbers of the report that are not in the records:\n  verification.md: 3.8276\n");
+  for (const char* option : {"--check", "--audits"}) {
+    std::vector<std::string> command{"--plot", scratch.path.string(), option};
+    if (option == std::string{"--audits"}) command.push_back(scratch.path.string());
+    const Finished useless = program(command);
+    BOOST_TEST(useless.status == 2);
+    BOOST_TEST(useless.messages.find(std::string{option} + " requires VERIFY and REPORT") != std::string::npos);
+  }
   BOOST_TEST(unfounded_numbers("rk4, a_12345, 2D and 3.14 [of](page-99999.html)", {3.1416}).empty());
   BOOST_TEST(unfounded_numbers("3.14, 3.15, 2.5e+03, 2.6e+03", {3.1416, 2512.0}).size() == 2U);
 }
