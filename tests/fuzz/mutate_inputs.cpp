@@ -2,12 +2,14 @@
 /// errors that do not say where.
 
 #include <fmt/format.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cerrno>
+#include <csignal>
 #include <cstdlib>
 #include <exception>
 #include <fstream>
@@ -117,6 +119,7 @@ pid_t started(const Reader& reader, const CampaignPlan& plan, const fs::path& fo
   const pid_t process = ::fork();
   if (process < 0) throw std::system_error{errno, std::generic_category(), "fork"};
   if (process > 0) return process;
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // if another reader's process fails
   int status = 4;
   try {
     const Tally tally = run_inputs(reader, plan, folder);
@@ -134,7 +137,7 @@ pid_t started(const Reader& reader, const CampaignPlan& plan, const fs::path& fo
 int run(const std::vector<Reader>& readers, const Options& options, const fs::path& scratch) {
   fmt::print("{:<18}{:>10}{:>10}{:>10}{:>11}{:>10}{:>10}\n", "reader", "inputs", "accepted", "refused", "cut short",
              "seconds", "findings");
-  const auto folder_of = [&](std::size_t reader) { return scratch / readers[reader].name; };
+  const auto folder_of = [&](std::size_t reader) { return scratch / ("of_" + readers[reader].name); };
   std::map<pid_t, std::size_t> running;
   std::vector<bool> ended(readers.size());
   talus::records::FuzzAudit audit{options.plan.seed, {}};
