@@ -222,7 +222,7 @@ std::vector<int> wholes_or_none(SceneTable& table, std::string_view key) {
 
 scenes::FenceScene fence_scene(SceneTable& table, const Fence& fence) {
   std::optional<FenceFault> fault;
-  const auto made = table.placed([&]() -> std::optional<scenes::FenceScene> {
+  auto made = table.placed([&]() -> std::optional<scenes::FenceScene> {
     try {
       return scenes::fence_scene(fence);
     } catch (const scenes::FenceError& error) {
@@ -230,7 +230,7 @@ scenes::FenceScene fence_scene(SceneTable& table, const Fence& fence) {
       return {};
     }
   });
-  if (made) return *made;
+  if (made) return std::move(*made);
   const std::size_t element = fault->element, rocks = fence.rocks.size();
   const SceneTable at = element == 0           ? table
                         : element == 1         ? table.table("ground")
