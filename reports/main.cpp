@@ -11,6 +11,7 @@
 #include "reports/numbers.hpp"
 #include "reports/report.hpp"
 #include "solver/command_line/usage_error.hpp"
+#include "verification/record/utf8.hpp"
 
 namespace {
 
@@ -144,10 +145,10 @@ int main(int argc, char** argv) {
   try {
     return work(options);
   } catch (const talus::reports::RecordError& wrong) {
-    print_errors(fmt::format("talus_report: {}\n", wrong.what()));
+    print_errors(fmt::format("talus_report: {}\n", talus::records::shown_lines(wrong.what())));
     return 2;
   } catch (const std::exception& wrong) {
-    print_errors(fmt::format("talus_report: {}\n", wrong.what()));
+    print_errors(fmt::format("talus_report: {}\n", talus::records::shown_lines(wrong.what())));
     return 4;
   }
 }

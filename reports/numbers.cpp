@@ -144,11 +144,11 @@ void collect_scores(const json& mutants, std::set<double>& numbers) {
   numbers.insert({100.0 * (middle - half), 100.0 * (middle + half)});
 }
 
-/// The sums over the readers of mutated files.
-void collect_readers(const json& fuzz, std::set<double>& numbers) {
+/// The sums of the members of equal rows: readers of mutated files, files that were changed.
+void collect_sums_of(const json& rows, std::set<double>& numbers) {
   std::map<std::string, double> sums;
-  for (const json& reader : fuzz.at("readers")) {
-    for (const auto& [name, value] : reader.items())
+  for (const json& row : rows) {
+    for (const auto& [name, value] : row.items())
       if (value.is_number()) sums[name] += value.get<double>();
   }
   for (const auto& [name, sum] : sums)
@@ -189,7 +189,8 @@ std::set<double> numbers_of_records(const fs::path& verify, const fs::path& temp
     collect(found, numbers);
     if (audit == "mutants" || audit == "gate") collect_scores(found, numbers);
     if (audit == "interface") collect_counts(found, numbers);
-    if (audit == "fuzz") collect_readers(found, numbers);
+    if (audit == "fuzz") collect_sums_of(found.at("readers"), numbers);
+    if (audit == "inputs") collect_sums_of(found.at("files"), numbers);
     if (audit == "lines") collect_lines(found, numbers);
   }
   for (const char* name : {"origins.json", "defects.json"}) {

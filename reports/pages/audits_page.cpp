@@ -89,6 +89,22 @@ std::string faults_text(const records::FaultAudit& audit) {
       audit.kills, audit.before_checkpoint, audit.resumed, audit.identical, audit.runs, audit.temporary_files);
 }
 
+std::string inputs_text(const records::InputAudit& audit) {
+  Rows rows;
+  records::ChangedInput all{.file = "**all**"};
+  const auto row = [&](const std::string& name, const records::ChangedInput& of) {
+    const std::string detected = fmt::format("{}", of.detected);
+    rows.push_back({name, cell(of.case_id), fmt::format("{}", of.changes),
+                    of.detected == of.changes ? detected : "**" + detected + "**"});
+  };
+  for (const records::ChangedInput& each : audit.files) {
+    row(cell(each.file), each);
+    all.changes += each.changes, all.detected += each.detected;
+  }
+  row(all.file, all);
+  return markdown::table({{"file"}, {"case"}, {"changes", true}, {"detected", true}}, rows, "");
+}
+
 std::string defects_text(const std::vector<records::Defect>& defects, const Results& results) {
   std::map<std::string, std::map<std::string, std::size_t>> counts;  // by what found them, by area
   std::map<std::string, Rows> areas;

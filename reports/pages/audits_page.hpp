@@ -1,4 +1,4 @@
-/// Chapters of the report on audits: mutated input, killed runs and executed lines. All results are Markdown.
+/// Chapters of the report on audits: mutated input, killed runs, changed references and executed lines. All results are Markdown.
 #pragma once
 
 #include <string>
@@ -18,6 +18,9 @@ namespace talus::reports {
 
 /// Kills, and what became of the runs.
 [[nodiscard]] std::string faults_text(const records::FaultAudit& audit);
+
+/// Files that cases compare with, and the changes of each that turn the case red.
+[[nodiscard]] std::string inputs_text(const records::InputAudit& audit);
 
 /// Defects by area, with the case or test that guards each, and their numbers by what found them. `results`: of the
 /// reported run, whose cases are linked.

@@ -113,6 +113,7 @@ void set_audits(mustache::data& values, const records::Audits& audits, const Res
       [&](const records::RoundingAudit& rounding) { return rounding_text(rounding, results); });
   set("fuzz", "make fuzz", audits.fuzz, fuzz_text);
   set("faults", "make faults", audits.faults, faults_text);
+  set("inputs", "scripts/inputs", audits.inputs, inputs_text);
   set("lines", "scripts/coverage", audits.lines, lines_text);
   values.set("defects", audits.defects.empty() ? "The list is not at hand.\n" : defects_text(audits.defects, results));
 }

@@ -290,6 +290,8 @@ BOOST_AUTO_TEST_CASE(missing_tools_and_wrong_usage_have_their_exit_codes) {
   BOOST_TEST(program({"--format", "gif", "--plot", "x"}).status == 2);
   BOOST_TEST(program({(data / "none").string(), scratch.path.string()}).status == 4);
   BOOST_TEST(program({"--help"}).status == 0);
+  const Finished hostile = program({(data / "none\x1b[2J").string(), scratch.path.string()});
+  BOOST_TEST(contains(hostile.messages, "none\\x1b[2J"), hostile.messages);
   const Finished unknown = program({"--sketch", "x"});
   BOOST_TEST(unknown.status == 2);
   BOOST_TEST(

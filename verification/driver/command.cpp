@@ -18,6 +18,7 @@
 #include "solver/base/error.hpp"
 #include "solver/command_line/usage_error.hpp"
 #include "verification/catalogue/catalogue.hpp"
+#include "verification/check/case_file.hpp"
 #include "verification/data/measured_case.hpp"
 #include "verification/driver/baseline_gate.hpp"
 #include "verification/driver/case_error.hpp"
@@ -48,6 +49,7 @@ struct Options {
   bool full = false;
   bool reuse = false;
   std::string rounding = "nearest";
+  std::string cases;  ///< in place of the project's folder `cases`; empty: that one
   BaselineOptions baseline;
 };
 
@@ -63,7 +65,7 @@ void declare_baseline(CLI::App& app, BaselineOptions& options) {
           ->group(group);
   app.add_option("--compare", options.compare, "Run nothing: compare this results.json with --baseline")
       ->needs(baseline)
-      ->excludes("--quick", "--full", "--jobs", "--list", "--rounding")
+      ->excludes("--quick", "--full", "--jobs", "--list", "--rounding", "--cases")
       ->group(group);
   app.add_option("--tolerance", options.tolerances,
                  "Measured values may change by X times the error bound of their check (an exact check: times its "
@@ -117,6 +119,12 @@ void declare(CLI::App& app, Options& options) {
       ->check(CLI::IsMember(rounding_modes))
       ->excludes(reuse)
       ->capture_default_str();
+  app.add_option("--cases", options.cases,
+                 "Read decks, published numbers and recorded fingerprints from this folder, a changed copy of the "
+                 "project's cases/: whether cases notice the change (scripts/inputs)")
+      ->check(CLI::ExistingDirectory)
+      ->excludes(reuse)
+      ->type_name("FOLDER");
   declare_baseline(app, options.baseline);
   app.footer(
       "Exit status: 0 every check holds and every control turned red, 1 not so, 2 wrong command line, catalogue, "
@@ -240,6 +248,7 @@ int run(const std::vector<Case>& cases, const Catalogue& catalogue, const Option
   Results results;
   results.provenance = provenance();
   if (options.rounding != "nearest") results.provenance.flags += " --rounding " + options.rounding;
+  if (!options.cases.empty()) results.provenance.flags += " --cases " + options.cases;
   results.tier = tier;
   results.registered = ids_of(cases);
   results.selected = ids_of(selection);
@@ -262,7 +271,7 @@ int run(const std::vector<Case>& cases, const Catalogue& catalogue, const Option
                      .jobs = jobs,
                      .tier = tier,
                      .rounding = rounding_modes.at(options.rounding),
-                     .program = options.rounding == "nearest" ? program_fingerprint(read) : "",
+                     .program = options.rounding == "nearest" && options.cases.empty() ? program_fingerprint(read) : "",
                      .reuse = options.reuse};
   results.records = records_of(selection, cases, catalogue, plan, terminal);
   write_results_within_memory(results, catalogue, out, std::move(reserve));
@@ -317,6 +326,7 @@ int verify(std::vector<Case> cases, const fs::path& catalogue_folder, int argc, 
       print_list(cases);
       return exit_pass;
     }
+    if (!options.cases.empty()) replace_case_folder(fs::absolute(options.cases));
     const Catalogue catalogue = read_catalogue(catalogue_folder);
     read.push_back(catalogue_folder);
     return options.baseline.compare.empty() ? run(cases, catalogue, options, read) : compare_files(catalogue, options);

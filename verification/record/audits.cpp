@@ -87,6 +87,18 @@ void fields(auto& f, Like<FaultAudit> auto& audit) {
   f.value("identical", audit.identical);
 }
 
+void fields(auto& f, Like<ChangedInput> auto& input) {
+  f.nonempty_text("file", input.file);
+  f.nonempty_text("case", input.case_id);
+  f.value("changes", input.changes);
+  f.value("detected", input.detected);
+}
+
+void fields(auto& f, Like<InputAudit> auto& audit) {
+  f.derived("schema", std::string("talus inputs 1"));
+  f.value("files", audit.files);
+}
+
 /// The names of `gcovr --json-summary`.
 void fields(auto& f, Like<ExecutedSource> auto& source) {
   f.nonempty_text("filename", source.file);
@@ -174,6 +186,7 @@ Audits read_audits(const fs::path& run, const fs::path& recorded) {
   read("rounding", audits.rounding, [](const fs::path& file) { return read_file<RoundingAudit>(file, "rounding"); });
   read("fuzz", audits.fuzz, [](const fs::path& file) { return read_file<FuzzAudit>(file, "fuzz"); });
   read("faults", audits.faults, [](const fs::path& file) { return read_file<FaultAudit>(file, "faults"); });
+  read("inputs", audits.inputs, [](const fs::path& file) { return read_file<InputAudit>(file, "inputs"); });
   read("lines", audits.lines, [](const fs::path& file) { return read_file<ExecutedLines>(file, "lines"); });
   if (!recorded.empty() && fs::exists(recorded / "defects.json"))
     audits.defects = read_file<Defects>(recorded / "defects.json", "defects").defects;
@@ -183,5 +196,6 @@ Audits read_audits(const fs::path& run, const fs::path& recorded) {
 void write_rounding(const RoundingAudit& audit, const fs::path& file) { write_file(audit, file); }
 void write_fuzz(const FuzzAudit& audit, const fs::path& file) { write_file(audit, file); }
 void write_faults(const FaultAudit& audit, const fs::path& file) { write_file(audit, file); }
+void write_inputs(const InputAudit& audit, const fs::path& file) { write_file(audit, file); }
 
 }  // namespace talus::records

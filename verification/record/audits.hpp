@@ -77,6 +77,19 @@ struct FaultAudit {
   std::size_t identical{};          ///< of these, with the files of an undisturbed run
 };
 
+/// A file that a case compares with, and the changes of it that turn the case red.
+struct ChangedInput {
+  std::string file{};  ///< in the folder `cases`
+  std::string case_id{};
+  std::size_t changes{};
+  std::size_t detected{};
+};
+
+/// inputs.json: measurements, published numbers and recorded fingerprints, emptied, cut or made NaN.
+struct InputAudit {
+  std::vector<ChangedInput> files;
+};
+
 /// Lines and branches of a source file that are executed.
 struct ExecutedSource {
   std::string file{};
@@ -103,7 +116,7 @@ struct Defect {
 
 /// Revision and date of the results of an audit that were recorded.
 struct AuditOrigin {
-  std::string audit{};  ///< "mutants", "interface", "rounding", "fuzz", "faults", "lines"
+  std::string audit{};  ///< "mutants", "interface", "rounding", "fuzz", "faults", "inputs", "lines"
   std::string revision{};
   std::string date{};  ///< YYYY-MM-DD
 };
@@ -116,6 +129,7 @@ struct Audits {
   std::optional<RoundingAudit> rounding;
   std::optional<FuzzAudit> fuzz;
   std::optional<FaultAudit> faults;
+  std::optional<InputAudit> inputs;
   std::optional<ExecutedLines> lines;
   std::vector<Defect> defects;       ///< found by audits, tests and use; kept with the recorded audits
   std::vector<AuditOrigin> origins;  ///< of those that were recorded; the others belong to the reported run
@@ -125,14 +139,15 @@ struct Audits {
 };
 
 /// The names of the audits that a report shows.
-inline constexpr std::array audit_names{"mutants", "gate", "interface", "rounding", "fuzz", "faults", "lines"};
+inline constexpr std::array audit_names{"mutants", "gate",   "interface", "rounding",
+                                        "fuzz",    "faults", "inputs",    "lines"};
 
 /// File of an audit: in the folder of the reported run, else the recorded one, else nowhere (empty).
 [[nodiscard]] std::filesystem::path audit_file(const std::string& audit, const std::filesystem::path& run,
                                                const std::filesystem::path& recorded);
 
 /// Reads defects.json from the folder of recorded audits, and mutants.json, gate.json, interface.json, rounding.json,
-/// fuzz.json, faults.json and lines.json: each from the folder of the run if it is there, else from that of recorded
+/// fuzz.json, faults.json, inputs.json and lines.json: each from the folder of the run if it is there, else from that of recorded
 /// audits, whose origins.json must name its origin. Throws FileError, and RecordError for invalid content.
 [[nodiscard]] Audits read_audits(const std::filesystem::path& run, const std::filesystem::path& recorded);
 
@@ -140,5 +155,6 @@ inline constexpr std::array audit_names{"mutants", "gate", "interface", "roundin
 void write_rounding(const RoundingAudit& audit, const std::filesystem::path& file);
 void write_fuzz(const FuzzAudit& audit, const std::filesystem::path& file);
 void write_faults(const FaultAudit& audit, const std::filesystem::path& file);
+void write_inputs(const InputAudit& audit, const std::filesystem::path& file);
 
 }  // namespace talus::records

@@ -108,20 +108,24 @@ BOOST_AUTO_TEST_CASE(numbers_of_audits_are_in_their_records) {
   std::filesystem::copy(std::filesystem::path(TALUS_TEST_DATA) / "pass" / "results.json", run.path);
   write_fuzz(fuzz(3), recorded.path / "fuzz.json");
   write_faults({1000, 460, 540, 300, 880, 870}, recorded.path / "faults.json");
+  write_inputs({{{"published/a.csv", "case", 1203, 1202}, {"published/b.csv", "case", 1310, 1310}}},
+               recorded.path / "inputs.json");
   recorded.file("lines.json", R"({"files": [
     {"filename": "solver/laws/hertz.cpp", "line_total": 1000, "line_covered": 999, "branch_total": 400, "branch_covered": 397},
     {"filename": "solver/laws/cone.cpp", "line_total": 300, "line_covered": 280, "branch_total": 0, "branch_covered": 0}]})");
   recorded.file("origins.json",
                 R"({"audits": [{"audit": "fuzz", "revision": "4444444444", "date": "2026-02-03"},
                                {"audit": "faults", "revision": "4444444444", "date": "2026-02-03"},
+                               {"audit": "inputs", "revision": "4444444444", "date": "2026-02-03"},
                                {"audit": "lines", "revision": "4444444444", "date": "2026-02-03"}]})");
   const Audits audits = read_audits(run.path, recorded.path);
-  const std::string text = fuzz_text(*audits.fuzz) + faults_text(*audits.faults) + lines_text(*audits.lines) +
-                           origin_text(audits, "fuzz", "make fuzz");
+  const std::string text = fuzz_text(*audits.fuzz) + faults_text(*audits.faults) + inputs_text(*audits.inputs) +
+                           lines_text(*audits.lines) + origin_text(audits, "fuzz", "make fuzz");
   const auto unfounded = [&](const std::string& of) {
     return unfounded_numbers(of, numbers_of_records(run.path, TALUS_TEMPLATES, recorded.path)).size();
   };
   BOOST_TEST(unfounded(text) == 0U);
+  BOOST_TEST(contains(text, "| **all** |  | 2513 | **2512** |"), text);
   BOOST_TEST(unfounded("98.77 % of 777 lines") == 2U);
 }
 

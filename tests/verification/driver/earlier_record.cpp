@@ -11,6 +11,7 @@
 
 #include "tests/verification/driver/driver_run.hpp"
 #include "tests/verification/driver/synthetic_cases.hpp"
+#include "verification/check/case_file.hpp"
 
 BOOST_AUTO_TEST_SUITE(earlier_record_tests)
 
@@ -103,6 +104,32 @@ BOOST_AUTO_TEST_CASE(a_failed_case_is_run_again) {
 
 BOOST_AUTO_TEST_CASE(nothing_is_taken_over_under_another_rounding) {
   BOOST_TEST(Run({synthetic("sound", sound)}, {"--reuse", "--rounding", "upward"}).status == 2);
+}
+
+// Cases read the changed copy of cases/, and what they found there is not taken over.
+BOOST_AUTO_TEST_CASE(another_folder_of_cases_is_read) {
+  const Scratch scratch;
+  const fs::path before = case_file("");
+  const std::string out = (scratch.folder / "out").string(), copy = (scratch.folder / "copy").string();
+  fs::create_directory(copy);
+  scratch.write("copy/number.txt", "3");
+  const Case reading = synthetic("reading", [](Findings& f, const Setup& setup) {
+    double number = 1.0;
+    std::ifstream(case_file("number.txt")) >> number;
+    f.expect("value", setup.fault.empty() ? number : 2.0, 1.0, Tolerance::model(0.1, "chosen"));
+  });
+  const auto status = [&](std::vector<const char*> options) {
+    options.insert(options.begin(), {"talus_verify", "--out", out.c_str()});
+    return verify({reading}, TALUS_CATALOGUE, static_cast<int>(options.size()), options.data());
+  };
+  BOOST_TEST(status({}) == 0);
+  BOOST_TEST(status({"--cases", copy.c_str()}) == 1);
+  BOOST_TEST(scratch.take("out/results.json").find(" --cases ") != std::string::npos);
+  scratch.write("copy/number.txt", "1");
+  BOOST_TEST(status({"--cases", copy.c_str()}) == 0);
+  replace_case_folder(before);
+  BOOST_TEST(status({"--reuse", "--cases", copy.c_str()}) == 2);
+  BOOST_TEST(status({"--cases", "absent"}) == 2);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -57,6 +57,7 @@ int main(int count, char** arguments) {
                    folder / "rounding.json");
     write_fuzz({.seed = 1, .readers = {{"fence_toml", 100, 20, 79, 1, 0.5, 0}}}, folder / "fuzz.json");
     write_faults({100, 46, 54, 3, 88, 88}, folder / "faults.json");
+    write_inputs({{{"published/a.csv", "case", 12, 12}}}, folder / "inputs.json");
   } catch (const std::exception& error) {
     std::cerr << "talus_audit_files: " << error.what() << '\n';
     return 1;

@@ -1,14 +1,13 @@
-#include <filesystem>
-
 #include "solver/io/fence1993/read_deck.hpp"
 #include "solver/scenes/fence_scene.hpp"
+#include "verification/check/case_file.hpp"
 #include "verification/reference/impacts/restitution.hpp"
 #include "verification/study/toolkit.hpp"
 
 namespace talus::verification::problems::fence_models {
 namespace {
 
-scenes::Fence deck(const char* name) { return read_deck(std::filesystem::path{TALUS_CASES} / "fence" / name); }
+scenes::Fence deck(const char* name) { return read_deck(case_file("fence") / name); }
 
 /// A fence and its final state.
 struct Finished {

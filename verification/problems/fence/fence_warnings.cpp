@@ -7,6 +7,7 @@
 #include "solver/io/scene/read_scene.hpp"
 #include "solver/scenes/fence_plausibility.hpp"
 #include "solver/scenes/fence_scene.hpp"
+#include "verification/check/case_file.hpp"
 #include "verification/problems/fence/fence_layouts.hpp"
 #include "verification/study/toolkit.hpp"
 
@@ -98,7 +99,7 @@ namespace {
 
 /// The fence of Table 2 as a scene.
 std::string published_scene() {
-  std::ifstream file{TALUS_CASES "/fence/table_2.toml"};
+  std::ifstream file{case_file("fence/table_2.toml")};
   return {std::istreambuf_iterator<char>{file}, {}};
 }
 

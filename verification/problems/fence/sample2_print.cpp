@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <filesystem>
 #include <limits>
 #include <sstream>
 
 #include "solver/io/file/fortran.hpp"
 #include "solver/io/file/toml_document.hpp"
+#include "verification/check/case_file.hpp"
 #include "verification/record/table.hpp"
 
 namespace talus::verification::problems {
@@ -19,7 +19,7 @@ namespace {
 constexpr std::array quantities{"x", "y", "theta", "vx", "vy", "omega"};
 constexpr double round_off_of_1993 = 1e-11;  // [ft/s, rad/s]
 
-std::string published(const char* file) { return read_text(std::filesystem::path{TALUS_CASES} / "published" / file); }
+std::string published(const char* file) { return read_text(case_file("published") / file); }
 
 /// Lines that are not comments, with single spaces between words and none at the ends.
 std::vector<std::string> lines_of(const std::string& text) {
@@ -38,7 +38,7 @@ std::vector<std::string> lines_of(const std::string& text) {
 
 /// Rows of a CSV file, cell by cell.
 std::vector<std::vector<std::string>> rows_of(const char* file) {
-  return records::data_file(file, records::read_csv(std::filesystem::path{TALUS_CASES} / "published" / file)).rows;
+  return records::data_file(file, records::read_csv(case_file("published") / file)).rows;
 }
 
 /// Value that the listing gives for a quantity: after its name and " = ", or in the table of masses.

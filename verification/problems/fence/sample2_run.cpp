@@ -1,10 +1,10 @@
 #include "verification/problems/fence/sample2_run.hpp"
 
 #include <algorithm>
-#include <filesystem>
 
 #include "solver/io/fence1993/out_listing.hpp"
 #include "solver/io/fence1993/read_deck.hpp"
+#include "verification/check/case_file.hpp"
 #include "verification/study/runs/scene_run.hpp"
 
 namespace talus::verification::problems {
@@ -23,7 +23,7 @@ ElementState state_of(const scenes::FenceMember& member, const Model& model, con
 
 Sample2Run run_sample2(const Sample2Change& change) {
   Sample2Run run;
-  run.fence = read_deck(std::filesystem::path{TALUS_CASES} / "fence/sample2.DAT");
+  run.fence = read_deck(case_file("fence/sample2.DAT"));
   if (change.records) change.records(run.fence);
   run.made = scenes::fence_scene(run.fence);
   if (change.made) change.made(run.made);

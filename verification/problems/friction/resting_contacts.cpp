@@ -1,7 +1,6 @@
-#include <filesystem>
-
 #include "solver/io/read_scene_file.hpp"
 #include "solver/io/scene/read_scene.hpp"
+#include "verification/check/case_file.hpp"
 #include "verification/reference/friction/resting_contact.hpp"
 #include "verification/study/runs/recorded_run.hpp"
 #include "verification/study/toolkit.hpp"
@@ -15,7 +14,7 @@ constexpr reference::RollingDisc disc{2.0, 0.01, 0.1, 1e6, 1e6, gravity, std::nu
 constexpr double nudge = 1e-3;  ///< [m/s]; stretches the springs to 15 % of the friction limit
 
 Scene scene_of(const char* file, const Setup& setup) {
-  Scene scene = read_scene(std::filesystem::path{TALUS_CASES} / file);
+  Scene scene = read_scene(case_file(file));
   auto& friction = std::get<CoulombFriction>(*scene.model.contacts[0].friction);
   if (setup.has("no_shear_dashpot")) friction.follows_normal = false;
   if (setup.has("inertia_too_large")) scene.model.bodies[1].inertia *= 1.0 + 1e-5;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
 #include <functional>
 #include <limits>
 #include <numbers>
@@ -15,6 +14,7 @@
 #include "solver/io/scene/read_scene.hpp"
 #include "solver/model/model_builder.hpp"
 #include "verification/check/case.hpp"
+#include "verification/check/case_file.hpp"
 #include "verification/record/csv.hpp"
 #include "verification/record/whole_file.hpp"
 #include "verification/reference/friction/mindlin_impact.hpp"
@@ -52,9 +52,7 @@ struct Measured {
   std::vector<Point> other_code;   ///< tangential restitution computed by MFiX-DEM
 };
 
-records::Csv published(const char* file) {
-  return records::read_csv(std::filesystem::path{TALUS_CASES} / "published" / file);
-}
+records::Csv published(const char* file) { return records::read_csv(case_file("published") / file); }
 
 Measured read_measured(const Setup& setup) {
   Measured found;
@@ -342,7 +340,7 @@ void check_models(Findings& findings, const Setup& setup, const Measured& measur
 
 /// The scene that is provided with the program, an impact at 10 degrees.
 void check_scene(Findings& findings, const Setup& setup) {
-  std::string text = records::read_whole(TALUS_CASES "/oblique_sphere.toml");
+  std::string text = records::read_whole(case_file("oblique_sphere.toml"));
   const std::string law = "shear_law = \"mindlin\"\nshear_modulus", other = "shear_law = \"linear\"\n# shear_modulus";
   if (setup.has("scene_of_springs")) text.replace(text.find(law), law.size(), other);
   const Scene scene = read_scene(text, "oblique_sphere.toml");

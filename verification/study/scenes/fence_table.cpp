@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "solver/io/fence1993/read_deck.hpp"
+#include "verification/check/case_file.hpp"
 #include "verification/record/csv.hpp"
 
 namespace talus::verification::problems {
@@ -42,7 +43,7 @@ PrintedRow row_of(const records::Csv& csv, std::size_t row) {
 }  // namespace
 
 std::vector<PrintedRow> printed_rows() {
-  const std::filesystem::path file = std::filesystem::path{TALUS_CASES} / "published" / "fence_tables_2_3.csv";
+  const std::filesystem::path file = case_file("published/fence_tables_2_3.csv");
   const records::Csv csv = records::read_csv(file);
   std::vector<PrintedRow> rows;
   for (std::size_t row = 0; row < csv.rows(); ++row)
@@ -55,9 +56,7 @@ std::string name_of(const PrintedRow& row) {
                      row.plastic ? "plastic" : "elastic");
 }
 
-scenes::Fence published_fence(const std::string& name) {
-  return read_deck(std::filesystem::path{TALUS_CASES} / "fence" / name);
-}
+scenes::Fence published_fence(const std::string& name) { return read_deck(case_file("fence") / name); }
 
 scenes::Fence fence_of(const PrintedRow& row) {
   scenes::Fence fence = published_fence(row.table == 2 ? "table_2.DAT" : "table_3.DAT");

@@ -1,9 +1,9 @@
 #include "verification/study/scenes/weak_hangers.hpp"
 
 #include <algorithm>
-#include <filesystem>
 
 #include "solver/io/fence1993/read_deck.hpp"
+#include "verification/check/case_file.hpp"
 #include "verification/study/runs/scene_run.hpp"
 
 namespace talus::verification::problems {
@@ -61,7 +61,7 @@ class Watch {
 }  // namespace
 
 scenes::Fence weak_fence(double hanger_strength) {
-  scenes::Fence fence = read_deck(std::filesystem::path{TALUS_CASES} / "fence/table_2.DAT");
+  scenes::Fence fence = read_deck(case_file("fence/table_2.DAT"));
   fence.options.contact = scenes::FenceContact::resultant;
   fence.options.end_rule = EndRule::clamped;
   fence.options.start = scenes::FenceStart::plain;

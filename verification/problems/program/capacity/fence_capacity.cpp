@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <map>
 #include <numbers>
 #include <set>
@@ -11,6 +10,7 @@
 #include <vector>
 
 #include "verification/check/case.hpp"
+#include "verification/check/case_file.hpp"
 #include "verification/problems/program/capacity/capacity_refusals.hpp"
 #include "verification/problems/program/capacity/capacity_statistics.hpp"
 #include "verification/problems/program/capacity/drawn_capacity.hpp"
@@ -25,7 +25,6 @@
 namespace talus::verification::problems::fence_capacity {
 namespace {
 
-namespace fs = std::filesystem;
 using records::Json;
 
 /// The boundary at each mass beside the closed form, and the fields of all runs.
@@ -462,7 +461,7 @@ void check_positions(const Program& program, Differences& differ) {
 
 /// Bases in US units: a deck, and a scene that gives the density, on an inclined ground.
 void check_us_base(const Program& program, Differences& differ) {
-  std::string inclined = records::read_whole(fs::path{TALUS_CASES} / "capacity" / "fence.toml");
+  std::string inclined = records::read_whole(case_file("capacity/fence.toml"));
   inclined.replace(inclined.find("duration = \"2 s\""), 16, "duration = \"0.01 s\"");
   inclined.replace(inclined.find("position = [\"0 ft\", \"-5 ft\"]"), 28,
                    "angle = \"10 deg\"\nposition = [\"0 ft\", \"-5 ft\"]");
@@ -472,7 +471,7 @@ void check_us_base(const Program& program, Differences& differ) {
                 "height = \"6 ft\"\n[map]\ncells = 1\nfirst_cells = 1\nruns = 4\naudit = 0\n[hazard]\n"
                 "table = \"us.csv\"\nruns = 1\n");
   // A deck of 1993 and the scene that it is converted to.
-  std::string deck = records::read_whole(fs::path{TALUS_CASES} / "fence" / "table_2.DAT");
+  std::string deck = records::read_whole(case_file("fence/table_2.DAT"));
   deck.replace(deck.find("0.03418558 100000"), 17, "0.17 200");
   program.write("deck.DAT", deck);
   program.run({"convert", "deck.DAT", "converted.toml"});

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "verification/check/case.hpp"
+#include "verification/check/case_file.hpp"
 #include "verification/problems/program/scenes/toml_values.hpp"
 #include "verification/record/json_node.hpp"
 #include "verification/record/whole_file.hpp"
@@ -64,7 +65,7 @@ std::vector<double> numbers_after(const std::string& text, const std::string& be
 
 /// The scene of Table 2 with numbers that need all digits of a double and occur once each.
 struct LongScene {
-  std::string text = records::read_whole(TALUS_CASES "/fence/table_2.toml");
+  std::string text = records::read_whole(case_file("fence/table_2.toml"));
   std::vector<double> values;
 };
 LongScene long_scene() {
@@ -269,7 +270,7 @@ void compare_values(const std::string& first, const std::string& second, Changes
 
 /// Fences that a deck cannot express are refused, and no deck is written.
 void check_refused_decks(const TemporaryFolder& folder, Findings& findings) {
-  const std::string text = records::read_whole(TALUS_CASES "/fence/table_2.toml") + "[fence.options]\n",
+  const std::string text = records::read_whole(case_file("fence/table_2.toml")) + "[fence.options]\n",
                     ground = "[fence.ground]\n", power = "b = \"0.953951 ft\"\npower = 0.0\n",
                     options = "[fence.options]\n";
   struct Beyond {
@@ -298,7 +299,7 @@ void check_refused_decks(const TemporaryFolder& folder, Findings& findings) {
 
 /// Values that follow from others: mass and duration, and options that rules = "1993" takes.
 void check_derived(const TemporaryFolder& folder, Findings& findings) {
-  std::string text = records::read_whole(TALUS_CASES "/fence/table_2.toml");
+  std::string text = records::read_whole(case_file("fence/table_2.toml"));
   const auto replace = [&](const std::string& old, const std::string& other) {
     const std::size_t at = text.find(old);
     if (at == std::string::npos) throw std::runtime_error("table_2.toml: '" + old + "' is expected in it");
@@ -373,7 +374,7 @@ void check_fields(const TemporaryFolder& folder, Findings& findings, const Setup
 
 /// Broken parts are not carried over to the next rock.
 void check_after_break(const TemporaryFolder& folder, Findings& findings) {
-  folder.write("weak.toml", records::read_whole(TALUS_CASES "/fence/table_2.toml") +
+  folder.write("weak.toml", records::read_whole(case_file("fence/table_2.toml")) +
                                 "\n[fence.options]\nhanger_strength = \"10000 lbf\"\n");
   (void)talus_output(folder, {"run", "weak.toml", "--end", "10 ms", "--out", "broken"});
   const ProgramEnd end = run_talus(folder, {"convert", "weak.toml", "next.toml", "--after", "broken"});
@@ -385,7 +386,7 @@ void check_after_break(const TemporaryFolder& folder, Findings& findings) {
 
 /// The fence after one rock, and after two, that plastically elongated its cables.
 void check_after(const TemporaryFolder& folder, Findings& findings, const Setup& setup) {
-  std::string deck = records::read_whole(TALUS_CASES "/fence/sample2.DAT");
+  std::string deck = records::read_whole(case_file("fence/sample2.DAT"));
   const std::string limits = "1e8 1e8";
   deck.replace(deck.find(limits), limits.size(), "20000. 1e8");
   folder.write("yields.DAT", deck);
@@ -434,10 +435,10 @@ void check_lammps(const TemporaryFolder& folder, Findings& findings, const Setup
   const auto damping = [&](double k) { return 2.0 * ratio * std::sqrt(k * 0.5 * mass); };
   // The cell with latching springs, which --dashpot replaces by springs with dashpots.
   constexpr double latching_stiffness = 1.7e4;
-  folder.write("ice.toml", records::read_whole(TALUS_CASES "/cell/ice.toml"));
+  folder.write("ice.toml", records::read_whole(case_file("cell/ice.toml")));
   (void)talus_output(folder, {"export", "lammps", "ice.toml", "--dashpot", "--out", "ice"});
   const std::vector<double> replaced = numbers_after(folder.read("ice/in.discs"), "pair_coeff * * hooke");
-  folder.write("rough.toml", records::read_whole(TALUS_CASES "/cell/rough.toml"));
+  folder.write("rough.toml", records::read_whole(case_file("cell/rough.toml")));
   (void)talus_output(folder, {"export", "lammps", "rough.toml", "--out", "lammps"});
   const std::string input = folder.read("lammps/in.discs"), data = folder.read("lammps/discs.data");
   const Tolerance round_off =
@@ -515,7 +516,7 @@ void check_lammps(const TemporaryFolder& folder, Findings& findings, const Setup
 /// times that of LAMMPS.
 void check_spheres(const TemporaryFolder& folder, Findings& findings, const Setup& setup) {
   constexpr double modulus = 700e6, shear_modulus = 144e6, friction = 0.5;
-  std::string text = records::read_whole(TALUS_CASES "/cell/spheres.toml");
+  std::string text = records::read_whole(case_file("cell/spheres.toml"));
   const std::string modulus_of_file = "144 MPa";
   if (setup.has("other_shear_modulus"))
     text.replace(text.find(modulus_of_file), modulus_of_file.size(), "144.0001 MPa");
@@ -548,7 +549,7 @@ void check_spheres(const TemporaryFolder& folder, Findings& findings, const Setu
 
 /// `limit_damping` is in the commands exactly if the dashpot acts and contacts do not pull.
 void check_end_rules(const TemporaryFolder& folder, Findings& findings) {
-  const std::string text = records::read_whole(TALUS_CASES "/cell/rough.toml"), clamped = "end_rule = \"clamped\"",
+  const std::string text = records::read_whole(case_file("cell/rough.toml")), clamped = "end_rule = \"clamped\"",
                     damped = "restitution = 0.7";
   Differences rules;
   for (const std::string rule : {"clamped", "attractive"}) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "verification/check/case.hpp"
+#include "verification/check/case_file.hpp"
 #include "verification/record/csv.hpp"
 #include "verification/record/json_node.hpp"
 #include "verification/record/whole_file.hpp"
@@ -29,7 +30,7 @@ constexpr double metre = 0.3048, newton = 0.45359237 * 9.80665, kilogram = newto
 
 /// The scene of Table 2 with its spin in revolutions per minute.
 std::string scene_text(const Setup& setup) {
-  std::string text = records::read_whole(TALUS_CASES "/fence/table_2.toml");
+  std::string text = records::read_whole(case_file("fence/table_2.toml"));
   const auto replace = [&text](const std::string& old, const std::string& with) {
     const std::size_t at = text.find(old);
     if (at == std::string::npos) throw std::runtime_error("table_2.toml: '" + old + "' is expected in it");

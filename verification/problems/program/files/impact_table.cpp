@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "verification/check/case.hpp"
+#include "verification/check/case_file.hpp"
 #include "verification/problems/program/files/impact_rows.hpp"
 #include "verification/record/csv.hpp"
 #include "verification/record/json_node.hpp"
@@ -409,7 +410,7 @@ void check_files(Findings& findings, const Setup& setup) {
 
 /// The sample fence with four columns, so that the rock strikes between two of them.
 std::string fence_text(const std::string& options) {
-  std::string text = records::read_whole(TALUS_CASES "/fence/sample2.toml");
+  std::string text = records::read_whole(case_file("fence/sample2.toml"));
   const auto replace = [&text](const std::string& old, const std::string& with) {
     text.replace(text.find(old), old.size(), with);
   };

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "verification/check/case_file.hpp"
 #include "verification/record/json_node.hpp"
 #include "verification/record/whole_file.hpp"
 
@@ -76,7 +77,7 @@ double different_events(const TemporaryFolder& folder) {
 }
 
 double different_fence_files(const TemporaryFolder& folder) {
-  std::string deck = records::read_whole(TALUS_CASES "/fence/sample2.DAT");
+  std::string deck = records::read_whole(case_file("fence/sample2.DAT"));
   const std::string limits = "1e8 1e8";
   deck.replace(deck.find(limits), limits.size(), "20000. 1e8");
   folder.write("fence.DAT", deck);

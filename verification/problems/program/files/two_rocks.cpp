@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "verification/check/case.hpp"
+#include "verification/check/case_file.hpp"
 #include "verification/record/csv.hpp"
 #include "verification/record/json_node.hpp"
 #include "verification/record/whole_file.hpp"
@@ -529,7 +530,7 @@ void check_player(const TemporaryFolder& folder, Findings& findings, const Setup
 void run(Findings& findings, const Setup& setup) {
   const auto group = findings.in("rocks");
   const TemporaryFolder folder;
-  folder.write("sample2.DAT", records::read_whole(TALUS_CASES "/fence/sample2.DAT"));
+  folder.write("sample2.DAT", records::read_whole(case_file("fence/sample2.DAT")));
   (void)talus_output(folder, {"convert", "sample2.DAT", "sample2.toml"});
   const std::string deck = folder.read("sample2.toml");
   folder.write("fence.toml", scene_text(deck));

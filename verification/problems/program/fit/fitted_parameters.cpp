@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <random>
 #include <string>
 #include <vector>
 
 #include "verification/check/case.hpp"
+#include "verification/check/case_file.hpp"
 #include "verification/problems/program/fit/counted_bounces.hpp"
 #include "verification/problems/program/fit/fit_statistics.hpp"
 #include "verification/problems/program/pictures/picture_script.hpp"
@@ -23,7 +23,6 @@
 namespace talus::verification::problems::fitted_parameters {
 namespace {
 
-namespace fs = std::filesystem;
 using records::Json;
 
 constexpr double mass = 2.0, radius = 0.1, stiffness = 2e4, damping = 40.0, gravity = 9.81, drop = 0.2;
@@ -415,7 +414,7 @@ void check_us_scene(const Program& program, Differences& differ) {
 
 /// A deck of 1993 as scene, in US units: the speed of its rock, by the results of `talus run` in SI units.
 void check_deck(const Program& program, Differences& differ) {
-  std::string deck = records::read_whole(fs::path{TALUS_CASES} / "fence" / "table_2.DAT");
+  std::string deck = records::read_whole(case_file("fence/table_2.DAT"));
   deck.replace(deck.find("0.03418558 100000"), 17, "0.17 200");
   constexpr double speed = -60.0, foot = 0.3048;
   std::string data = "spin [rad/s],v [m/s]\n";

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "verification/check/case_file.hpp"
 #include "verification/record/json_node.hpp"
 #include "verification/record/whole_file.hpp"
 #include "verification/study/findings/expectations.hpp"
@@ -142,7 +143,7 @@ void check_advice(const Program& program, Findings& findings, Differences& diffe
 
 void check_advised_scenes(const Program& program, Differences& differ) {
   // The half kick of 1993 depends on the step: it is 2e-4 of the rock's speed here, more than the reported error.
-  std::string deck = records::read_whole(TALUS_CASES "/fence/table_2.toml");
+  std::string deck = records::read_whole(case_file("fence/table_2.toml"));
   for (const auto& [key, value] : {std::pair{"steps", 200}, {"print_every", 100}, {"history_every", 50}}) {
     const std::size_t from = deck.find(fmt::format("\n{} = ", key)) + 1;
     deck.replace(from, deck.find('\n', from) - from, fmt::format("{} = {}", key, value));

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "verification/check/case.hpp"
+#include "verification/check/case_file.hpp"
 #include "verification/problems/program/pictures/coloured_discs.hpp"
 #include "verification/problems/program/pictures/picture_script.hpp"
 #include "verification/record/csv.hpp"
@@ -407,7 +408,7 @@ double check_snapshots(const Pictures& program, Differences& differ) {
 /// middle, which turns, is the only part with an outline of more points than a rectangle.
 void check_half_fence(const Pictures& program, Differences& differ) {
   constexpr double half_span = 27.5;
-  program.folder().write("half.DAT", records::read_whole(fs::path{TALUS_CASES} / "fence" / "sample2.DAT"));
+  program.folder().write("half.DAT", records::read_whole(case_file("fence/sample2.DAT")));
   (void)talus_output(program.folder(), {"run", "half.DAT", "--end", "1 ms", "--out", "half"});
   (void)program.run({"snapshot", "half"}, {{"--view", {"along"}}, {"--count", {"1"}}, {"--format", {"svg"}}});
   const Picture picture = program.picture("half/plots/snapshot_along.svg");

@@ -1,11 +1,11 @@
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <map>
 #include <string>
 #include <utility>
 
 #include "verification/check/case.hpp"
+#include "verification/check/case_file.hpp"
 #include "verification/problems/program/recorded/recorded_runs.hpp"
 #include "verification/record/csv.hpp"
 #include "verification/study/runs/fingerprint.hpp"
@@ -17,7 +17,7 @@ namespace {
 using Fingerprints = std::map<std::string, std::map<std::pair<std::string, std::string>, std::string>>;
 
 Fingerprints read_recorded() {
-  const records::Csv csv = records::read_csv(std::filesystem::path{TALUS_CASES} / "recorded" / "fingerprints.csv");
+  const records::Csv csv = records::read_csv(case_file("recorded/fingerprints.csv"));
   const std::size_t group = csv.column("group"), run = csv.column("run"), part = csv.column("part"),
                     fingerprint = csv.column("fingerprint");
   Fingerprints all;

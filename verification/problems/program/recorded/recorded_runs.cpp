@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -26,6 +25,7 @@
 #include "solver/scenes/pivoted_cylinder.hpp"
 #include "solver/scenes/two_cable.hpp"
 #include "solver/stability/run_monitor.hpp"
+#include "verification/check/case_file.hpp"
 #include "verification/study/runs/fingerprint.hpp"
 #include "verification/study/runs/scene_run.hpp"
 #include "verification/study/scenes/scenes_in_motion.hpp"
@@ -136,8 +136,8 @@ void run_as_written(Findings& findings, const Take& take) {
     run_bodies("scenes", varied.name, {read_scene(varied.text, varied.name), {}}, findings, take);
   for (const char* name :
        {"cable_pendulum", "damped_disc", "pendulum", "pivoted_cylinder", "rolling_disc", "sliding_block", "two_cable"})
-    run_bodies("scenes", fmt::format("{}.toml", name),
-               read_scene_file(std::filesystem::path{TALUS_CASES} / fmt::format("{}.toml", name)), findings, take);
+    run_bodies("scenes", fmt::format("{}.toml", name), read_scene_file(case_file(fmt::format("{}.toml", name))),
+               findings, take);
   std::vector<VariedScene> fences = varied_fences();
   for (const VariedScene& even : even_fences())
     fences.push_back(even);
@@ -146,7 +146,7 @@ void run_as_written(Findings& findings, const Take& take) {
   // Decks of 1993, with steps of fixed length.
   for (const char* name :
        {"table_2", "appendix_one_layer", "appendix_two_layers", "appendix_top_cable_only", "appendix_nine_rocks"}) {
-    SceneFile file = read_scene_file(std::filesystem::path{TALUS_CASES} / "fence" / fmt::format("{}.DAT", name));
+    SceneFile file = read_scene_file(case_file("fence") / fmt::format("{}.DAT", name));
     file.scene.plan.end = std::min(file.scene.plan.end, 6000.0 * file.scene.plan.step);
     file.scene.plan.interval = 20.0 * file.scene.plan.step;
     run_bodies("fences", fmt::format("{}.DAT", name), file, findings, take);

@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <string>
 
+#include "verification/check/case_file.hpp"
 #include "verification/problems/program/sweeps/ball_sweep.hpp"
 #include "verification/record/json_node.hpp"
 #include "verification/record/whole_file.hpp"
@@ -12,7 +12,6 @@
 namespace talus::verification::problems::swept_scenes {
 namespace {
 
-namespace fs = std::filesystem;
 using records::Json;
 
 /// A run of the sweep is that of `talus run` with the same fields, bit by bit; a fence has a verdict.
@@ -81,7 +80,7 @@ void check_fence(const Program& program, Differences& differ) {
 
 /// A deck of 1993 as base: the run of `talus run` of the deck, bit by bit, and of the deck with another speed.
 void check_deck(const Program& program, Differences& differ) {
-  std::string deck = records::read_whole(fs::path{TALUS_CASES} / "fence" / "table_2.DAT");
+  std::string deck = records::read_whole(case_file("fence/table_2.DAT"));
   deck.replace(deck.find("0.03418558 100000"), 17, "0.17 2000");
   program.write("fence.DAT", deck);
   const records::Csv csv = collected(program, "deck",
