@@ -425,10 +425,30 @@ void report(Findings& findings, const std::vector<RowRun>& rows) {
       any / count));
 }
 
+/// That the print is whole, and that each of its rows is of the deck that stands for its table.
+void check_rows(Findings& findings, const std::vector<RowRun>& rows) {
+  double rocks = 0.0, slacks = 0.0;
+  for (const RowRun& row : rows) {
+    const Fence fence = published_fence(row.printed.table == 2 ? "table_2.DAT" : "table_3.DAT");
+    const scenes::FenceElement& rock = fence.rocks.front();
+    const double volume = 4.0 / 3.0 * std::numbers::pi * rock.a * rock.a * rock.b;
+    rocks = std::max(rocks, std::abs(volume * rock.density * fence.gravity - row.printed.rock));
+    if (row.printed.bottom_cable) slacks = std::max(slacks, std::abs(fence.slack - row.printed.slack));
+  }
+  const auto part = findings.in("rows");
+  part->expect_exact("printed rows", static_cast<double>(rows.size()), 34.0,
+                     "17 of each table, elastic and elastic-plastic");
+  part->expect_model("weight of a rock, deck and table, largest difference", rocks, 0.0, 0.5,
+                     "half a unit of the last digit", "lb");
+  part->expect_exact("slack of the bottom cable, deck and table, largest difference", slacks, 0.0,
+                     "the same decimal number", "ft");
+}
+
 void run(Findings& findings, const Setup& setup) {
   const std::vector<RowRun> rows = run_rows(setup, setup.coarse ? 4.0 : 1.0);
   for (const RowRun& row : rows)
     findings.count(row.run.evaluations);
+  check_rows(findings, rows);
   check_distances(findings, rows, setup);
   check_pairs(findings, rows, setup);
   check_cables(findings, rows);

@@ -11,13 +11,16 @@
 #include "solver/io/file/fortran.hpp"
 #include "solver/io/file/toml_document.hpp"
 #include "verification/check/case_file.hpp"
-#include "verification/record/table.hpp"
+#include "verification/record/csv.hpp"
+#include "verification/record/error.hpp"
 
 namespace talus::verification::problems {
 namespace {
 
 constexpr std::array quantities{"x", "y", "theta", "vx", "vy", "omega"};
 constexpr double round_off_of_1993 = 1e-11;  // [ft/s, rad/s]
+
+records::Csv states() { return records::read_csv(case_file("published/sample2_states.csv")); }
 
 std::string published(const char* file) { return read_text(case_file("published") / file); }
 
@@ -34,11 +37,6 @@ std::vector<std::string> lines_of(const std::string& text) {
     if (!joined.empty()) lines.push_back(joined);
   }
   return lines;
-}
-
-/// Rows of a CSV file, cell by cell.
-std::vector<std::vector<std::string>> rows_of(const char* file) {
-  return records::data_file(file, records::read_csv(case_file("published") / file)).rows;
 }
 
 /// Value that the listing gives for a quantity: after its name and " = ", or in the table of masses.
@@ -59,6 +57,16 @@ std::string listed(const std::vector<std::string>& lines, const std::string& qua
   return "missing";
 }
 
+/// Unit of a derived quantity in the listing. Errors: RecordError for a quantity that it does not have.
+std::string unit_of(const std::string& quantity) {
+  if (quantity == "initial height") return "ft";
+  if (quantity == "mass") return "slug";
+  if (quantity == "m.o.i.") return "slug ft^2";
+  if (quantity == "S/R chekdt - time step" || quantity == "max. stable time step") return "s";
+  if (quantity.starts_with("Normal contact stiffness (")) return "lbf/ft";
+  throw records::RecordError{fmt::format("sample2_derived.csv: the listing has no quantity '{}'", quantity)};
+}
+
 /// Value of one unit of the last digit: 0.1 for ".490E+02".
 double last_digit(const std::string& printed) {
   const std::size_t point = printed.find('.'), mark = printed.find('E');
@@ -71,10 +79,17 @@ double last_digit(const std::string& printed) {
 std::vector<DerivedNumber> derived_numbers(const Sample2Run& run) {
   const std::vector<std::string> lines = lines_of(run.listing);
   std::vector<DerivedNumber> numbers;
-  for (const auto& row : rows_of("sample2_derived.csv")) {
-    const std::string &quantity = row.at(0), &element = row.at(1);
-    DerivedNumber number{element.empty() ? quantity : fmt::format("{} of element {}", quantity, element), row.at(3),
-                         row.at(2), ""};
+  const records::Csv csv = records::read_csv(case_file("published/sample2_derived.csv"));
+  for (std::size_t row = 0; row < csv.rows(); ++row) {
+    const std::string quantity{csv.cell(row, "quantity")}, element{csv.cell(row, "element")};
+    DerivedNumber number{.name = element.empty() ? quantity : fmt::format("{} of element {}", quantity, element),
+                         .unit = std::string{csv.cell(row, "unit")},
+                         .printed = std::string{csv.cell(row, "printed")},
+                         .ours = {}};
+    if (number.unit != unit_of(quantity)) {
+      throw records::RecordError{fmt::format("{}: line {}: unit: found '{}', allowed: '{}' of {}", csv.file().string(),
+                                             csv.line(row), number.unit, unit_of(quantity), number.name)};
+    }
     if (quantity == "initial height") {
       const auto member = static_cast<std::size_t>(std::atoi(element.c_str()) - 1);
       number.ours = fortran_e(run.made.members.at(member).position.y, 3);
@@ -94,16 +109,18 @@ HeadLines head_lines(const Sample2Run& run) {
   return lines;
 }
 
+std::size_t rows_of_states() { return states().rows(); }
+
 std::vector<Deviation> deviations(const Sample2Run& run) {
   std::vector<Deviation> all;
-  const auto rows = rows_of("sample2_states.csv");
-  for (std::size_t r = 0; r < rows.size(); ++r) {
-    const std::size_t print = rows[r].at(0) == rows.front().at(0) ? 0 : 1;
-    const int element = std::atoi(rows[r].at(1).c_str());
+  const records::Csv csv = states();
+  for (std::size_t row = 0; row < csv.rows(); ++row) {
+    const std::size_t print = csv.number(row, "t") == csv.number(0, "t") ? 0 : 1;
+    const int element = static_cast<int>(csv.number(row, "element"));
     for (std::size_t i = 0; i < quantities.size(); ++i) {
-      const std::string& text = rows[r].at(i + 2);
-      const double value = std::strtod(text.c_str(), nullptr);
-      const double speed = std::strtod(rows[r].at(i % 3 + 5).c_str(), nullptr);
+      const std::string text{csv.cell(row, quantities[i])};
+      const double value = csv.number(row, quantities[i]);
+      const double speed = csv.number(row, quantities[i % 3 + 3]);
       const bool slow = std::abs(speed) < round_off_of_1993;
       // An element that hardly moves is at its initial position, which is checked as a derived number.
       if (value == 0.0 || slow) continue;

@@ -39,6 +39,9 @@ struct Deviation {
 /// which were round-off in 1993, and the coordinates that belong to them.
 [[nodiscard]] std::vector<Deviation> deviations(const Sample2Run& run);
 
+/// Number of rows of both states: one for each element.
+[[nodiscard]] std::size_t rows_of_states();
+
 /// Largest magnitude of the deviations of elements first .. last in one print, in units of the last printed digit; NaN
 /// if nothing was compared.
 [[nodiscard]] double largest_deviation(const std::vector<Deviation>& all, std::size_t print, int first, int last);

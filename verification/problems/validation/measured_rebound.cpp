@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -16,6 +17,7 @@
 #include "verification/check/case.hpp"
 #include "verification/check/case_file.hpp"
 #include "verification/record/csv.hpp"
+#include "verification/record/error.hpp"
 #include "verification/record/whole_file.hpp"
 #include "verification/reference/friction/mindlin_impact.hpp"
 #include "verification/reference/friction/oblique_impact.hpp"
@@ -59,7 +61,12 @@ Measured read_measured(const Setup& setup) {
   const records::Csv csv = published("kharaz_2001.csv");
   const std::size_t angle = csv.column("angle_deg"), value = csv.column("value"), quantity = csv.column("quantity");
   for (std::size_t row = 0; row < csv.rows(); ++row) {
-    auto& points = csv.cell(row, quantity) == "e_t" ? found.restitution : found.rebound;
+    const std::string_view measured = csv.cell(row, quantity);
+    if (measured != "e_t" && measured != "rebound_deg") {
+      throw records::RecordError{fmt::format("{}: line {}: quantity: found '{}', allowed: e_t or rebound_deg",
+                                             csv.file().string(), csv.line(row), measured)};
+    }
+    auto& points = measured == "e_t" ? found.restitution : found.rebound;
     points.push_back({csv.number(row, angle), csv.number(row, value)});
   }
   if (setup.has("row_lost")) found.rebound.pop_back();
@@ -355,6 +362,8 @@ void check_data(Findings& findings, const Measured& measured, const Agreement& a
   findings.in("data")->expect("number of measured values",
                               static_cast<double>(measured.restitution.size() + measured.rebound.size()), 17.0,
                               Tolerance::exact("rows of the file"));
+  findings.in("data")->expect("number of values of another code", static_cast<double>(measured.other_code.size()), 24.0,
+                              Tolerance::exact("rows of its file"));
   findings.note(fmt::format(
       "The two measured quantities together give a normal restitution of {:.3f} with a standard deviation of {:.3f}, "
       "where {:g} is assumed here and by other codes; with it, they scatter by {:.3f} in $e_t$.",

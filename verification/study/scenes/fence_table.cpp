@@ -28,15 +28,25 @@ PrintedNumber printed(const records::Csv& csv, std::size_t row, const char* name
 
 PrintedRow row_of(const records::Csv& csv, std::size_t row) {
   const auto cell = [&](const char* column) { return csv.cell(row, column); };
+  const auto demand = [&](bool holds, const char* column, const char* allowed) {
+    if (!holds)
+      throw records::RecordError{fmt::format("{}: line {}: {}: found '{}', allowed: {}", csv.file().string(),
+                                             csv.line(row), column, cell(column), allowed)};
+  };
+  const bool bottom_cable = cell("slack_ft") != "none";
+  demand(cell("cable") == "elastic" || cell("cable") == "elastic_plastic", "cable", "elastic or elastic_plastic");
+  demand(bottom_cable || cell("bottom_1e5_lb").empty(), "bottom_1e5_lb", "nothing, as there is no bottom cable");
   PrintedRow made{.table = static_cast<int>(csv.number(row, "table")),
+                  .rock = csv.number(row, "rock_lb"),
+                  .slack = bottom_cable ? csv.number(row, "slack_ft") : 0.0,
                   .height = csv.number(row, "yc_ft"),
-                  .bottom_cable = cell("slack_ft") != "none",
+                  .bottom_cable = bottom_cable,
                   .plastic = cell("cable") == "elastic_plastic",
                   .joint = printed(csv, row, "joint_1e4_lb", 1e4),
                   .top = printed(csv, row, "top_1e5_lb", 1e5),
                   .bottom = {},
                   .speed = printed(csv, row, "vx_ft_s", 1.0)};
-  if (!cell("bottom_1e5_lb").empty()) made.bottom = printed(csv, row, "bottom_1e5_lb", 1e5);
+  if (bottom_cable) made.bottom = printed(csv, row, "bottom_1e5_lb", 1e5);
   return made;
 }
 

@@ -18,6 +18,8 @@ struct PrintedNumber {
 /// The printed numbers of one cable model in a row of Table 2 or 3, in feet, pounds and seconds.
 struct PrintedRow {
   int table{};
+  double rock{};    ///< weight [lb]
+  double slack{};   ///< of the bottom cable [ft]; 0 if there is none
   double height{};  ///< yc: height of the impact above the column's centroid [ft]
   bool bottom_cable{};
   bool plastic{};                       ///< elastic, perfectly plastic cables (printed in parentheses)
