@@ -136,8 +136,8 @@ void check_speeds(Findings& findings, const Setup& setup) {
     if (setup.coarse && ratio != 2.0) continue;
     const reference::CableDraw exact = reference::perfectly_plastic_draw(stiffness, yield, mass, ratio * limit);
     const DrawErrors errors = draw_errors(flat(), ratio * limit, 400.0, setup, findings);
-    exit = std::max(exit, errors.exit.rms());
-    stretch = std::max(stretch, errors.stretch.rms());
+    keep_largest(exit, errors.exit.rms());
+    keep_largest(stretch, errors.stretch.rms());
     if (ratio == 0.999) {
       findings.expect_exact(
           {"yield_limit/below", "residual stretch at 0.999 times the lowest speed at which the cable yields"},

@@ -139,7 +139,7 @@ void check_frequencies(Findings& findings, const Setup& setup) {
     if (setup.coarse && ratio != 0.5) continue;
     const double h = ratio * limit(Direction::along);
     const Swings found = swings(Direction::along, 0.03, h, setup, findings);
-    worst = std::max(worst, frequency_error(found, Direction::along, h));
+    keep_largest(worst, frequency_error(found, Direction::along, h));
     // At 0.999 of the limit a rounding error of the velocity is amplified 22 times in the last mode.
     if (ratio < 0.95 && !(found.error <= farthest)) farthest = found.error;
     const double h_across = ratio * limit(Direction::across);

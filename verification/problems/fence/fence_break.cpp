@@ -89,7 +89,7 @@ HalfAndFull half_from_full(const Setup& setup) {
   for (const Body& body : half.made.scene.model.bodies) {
     const Pose a = pose(half.made.scene.model, half.end, *find_body(half.made.scene.model, body.name));
     const Pose b = pose(full.made.scene.model, full.end, *find_body(full.made.scene.model, body.name));
-    largest = std::max(largest, norm(a.p_WB - b.p_WB));
+    keep_largest(largest, norm(a.p_WB - b.p_WB));
   }
   return {largest, ends, tension, at_once, longest};
 }

@@ -35,7 +35,7 @@ Finished run_to(const scenes::Fence& fence, double end, double step = 0.0) {
 double distance(const Finished& half, const Finished& full) {
   double largest = 0.0;
   for (const Body& body : half.made.scene.model.bodies)
-    largest = std::max(largest, norm(half.pose(body.name).p_WB - full.pose(body.name).p_WB));
+    keep_largest(largest, norm(half.pose(body.name).p_WB - full.pose(body.name).p_WB));
   return largest;
 }
 

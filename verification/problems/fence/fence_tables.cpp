@@ -432,8 +432,8 @@ void check_rows(Findings& findings, const std::vector<RowRun>& rows) {
     const Fence fence = published_fence(row.printed.table == 2 ? "table_2.DAT" : "table_3.DAT");
     const scenes::FenceElement& rock = fence.rocks.front();
     const double volume = 4.0 / 3.0 * std::numbers::pi * rock.a * rock.a * rock.b;
-    rocks = std::max(rocks, std::abs(volume * rock.density * fence.gravity - row.printed.rock));
-    if (row.printed.bottom_cable) slacks = std::max(slacks, std::abs(fence.slack - row.printed.slack));
+    keep_largest(rocks, volume * rock.density * fence.gravity - row.printed.rock);
+    if (row.printed.bottom_cable) keep_largest(slacks, fence.slack - row.printed.slack);
   }
   const auto part = findings.in("rows");
   part->expect_exact("printed rows", static_cast<double>(rows.size()), 34.0,

@@ -13,6 +13,7 @@
 #include "verification/check/case_file.hpp"
 #include "verification/record/csv.hpp"
 #include "verification/record/error.hpp"
+#include "verification/study/findings/expectations.hpp"
 
 namespace talus::verification::problems {
 namespace {
@@ -133,12 +134,14 @@ std::vector<Deviation> deviations(const Sample2Run& run) {
 }
 
 double largest_deviation(const std::vector<Deviation>& all, std::size_t print, int first, int last) {
-  double largest = std::numeric_limits<double>::quiet_NaN();
+  double largest = 0.0;
+  int count = 0;
   for (const Deviation& d : all) {
     if (d.print != print || d.element < first || d.element > last) continue;
-    if (!(std::abs(d.units) <= largest)) largest = std::abs(d.units);
+    keep_largest(largest, d.units);
+    ++count;
   }
-  return largest;
+  return count == 0 ? std::numeric_limits<double>::quiet_NaN() : largest;
 }
 
 double mean_deviation(const std::vector<Deviation>& all, std::size_t print, int first, int last) {

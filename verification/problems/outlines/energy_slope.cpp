@@ -94,7 +94,7 @@ Mismatch mismatch(const Model& model, double reach, const Setup& setup) {
   Mismatch sum{static_cast<int>(found.size()), 0, 0.0};
   for (const double one : found) {
     sum.mismatched += one > 1e-6 ? 1 : 0;
-    sum.largest = std::max(sum.largest, one);
+    keep_largest(sum.largest, one);
   }
   return sum;
 }
@@ -136,7 +136,7 @@ void check_loops(Findings& findings, const Setup& setup) {
     figure.series.push_back({pair.name, loop.angle, loop.stored, Style::lines});
     const double step = 2.0 * std::numbers::pi * CornerLoop::radius / steps;
     const double depth = std::sqrt(2.0 * loop.energy / stiffness);
-    if (has_potential(pair)) worst = std::max(worst, std::abs(loop.work / loop.energy) / (2.0 * step / depth));
+    if (has_potential(pair)) keep_largest(worst, loop.work / loop.energy / (2.0 * step / depth));
   }
   findings.expect_truncation(
       {"round_a_corner", "work on a closed path round a corner, over force times step: largest of all outlines"}, worst,
@@ -165,7 +165,7 @@ void check_slopes(Findings& findings, const Setup& setup) {
     const double fraction = static_cast<double>(m.mismatched) / m.positions;
     if (pair.rule == NodeDepth::smoother) smoother = fraction;
     if (pair.rule == NodeDepth::centroid_ray) rays = fraction;
-    if (pair.rule == NodeDepth::nearest || pair.rule == NodeDepth::side_face) worst = std::max(worst, m.largest);
+    if (pair.rule == NodeDepth::nearest || pair.rule == NodeDepth::side_face) keep_largest(worst, m.largest);
   }
   const Mismatch cable = mismatch(cable_model(), 0.6, setup);
   table.rows.push_back(

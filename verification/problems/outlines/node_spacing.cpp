@@ -71,8 +71,8 @@ void check_rolling(Findings& findings, const Setup& setup) {
     const Rolled rolled = roll(nodes, 3.0 * exact, ContactMethod::nodes, setup);
     const double ripple = rolled.deepest - rolled.shallowest;
     ripples.add(1.0 / count, ripple);
-    ratio = std::max(ratio, std::abs(ripple - exact) / radius);
-    farthest = std::max(farthest, rolled.force_error);
+    keep_largest(ratio, std::abs(ripple - exact) / radius);
+    keep_largest(farthest, rolled.force_error);
     if (nodes == 16) figure.series.push_back({"16 nodes", rolled.turned, rolled.force, Style::lines});
     if (nodes != 64 || setup.coarse) continue;
     const Rolled deep = roll(nodes, 0.02 * radius, ContactMethod::nodes, setup);
@@ -141,7 +141,7 @@ void check_curvature(Findings& findings, const Setup& setup) {
     const double x = std::pow(2.0, -1.0 / n);
     record_shape(shape);
     const double found = curvature(shape, {x, -x}), exact = reference::corner_curvature(1.0, n);
-    farthest = std::max(farthest, std::abs(found / exact - 1.0) / n);
+    keep_largest(farthest, std::abs(found / exact - 1.0) / n);
     int nodes = 4;
     for (; nodes < 100000; nodes += 4) {
       const std::vector<Vec2> points = boundary_nodes(Shape{shape}, nodes);

@@ -135,7 +135,7 @@ void check_support(Findings& findings, const Setup& setup) {
       const double reach = reference::support({a, b, n}, down.x, down.y);
       keep_largest(depth_error, found.depth - (reach - dot(body.p_WB - plane.p_WB, up)));
       const Vec2 lowest = unrotate(body.R_WB, found.p_WC - 0.5 * found.depth * up - body.p_WB);
-      outline_error = std::max(outline_error, std::abs(reference::excess({a, b, n}, {lowest.x, lowest.y})) / n);
+      keep_largest(outline_error, reference::excess({a, b, n}, {lowest.x, lowest.y}) / n);
       keep_largest(reach_error, dot(lowest, down) - reach);
     }
   }
@@ -215,7 +215,7 @@ void check_depth(Findings& findings, const Setup& setup) {
       const double sign = reference::excess(shape, {p.x, p.y}) < 0.0 ? 1.0 : -1.0;
       keep_largest(depth_error, found.depth - sign * brute.distance);
       const Vec2 reached = p + found.depth * found.normal;
-      normal_error = std::max(normal_error, std::abs(reference::excess(shape, {reached.x, reached.y})) / n);
+      keep_largest(normal_error, reference::excess(shape, {reached.x, reached.y}) / n);
     }
   }
   const double circle_exponent = setup.has("exponent_off") ? 2.002 : 2.0;

@@ -161,7 +161,7 @@ double error_beside(const Question& question, const RunMethod& advised, Findings
     RunMethod method = advised;
     method.steps = std::lround(static_cast<double>(advised.steps) * (1.0 + 0.5 * x));
     method.tolerance = advised.tolerance * std::pow(3.0, -y);
-    worst = std::max(worst, run_with(question, method, findings).error);
+    keep_largest(worst, run_with(question, method, findings).error);
   }
   return worst;
 }
@@ -172,7 +172,7 @@ double error_of_judged(const Question& question, const RunMethod& advised, const
                        Findings& findings) {
   double worst = run_with(question, advised, findings).error;
   const auto judge = [&](long steps) {
-    worst = std::max(worst, run_with(question, {advised.integrator, 0.0, steps}, findings).error);
+    keep_largest(worst, run_with(question, {advised.integrator, 0.0, steps}, findings).error);
   };
   for (int i = 1; i <= rules.beside; ++i)
     judge(std::lround(static_cast<double>(advised.steps) * std::exp2(std::fmod(0.6180339887498949 * i, 1.0) / 6.0)));

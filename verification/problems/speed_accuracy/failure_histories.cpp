@@ -92,7 +92,7 @@ FailureFound check_turned_history(Findings& findings, const Setup& setup) {
   for (long n = 0; n <= steps; ++n) {
     const double angle =
         setup.has("spring_turned_along") ? 0.0 : 2.0 * std::numbers::pi * static_cast<double>(n) / steps;
-    off = std::max(off, std::hypot(std::cos(angle) - 1.0, std::sin(angle)));
+    keep_largest(off, std::hypot(std::cos(angle) - 1.0, std::sin(angle)));
   }
   const Turn turn = turned<RigidBodySystem>(steps, {});
   findings.expect_exact("turned history: largest error of a friction force stored in world axes, over the force", off,

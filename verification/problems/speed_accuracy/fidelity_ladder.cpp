@@ -242,7 +242,7 @@ void check_fences(Findings& findings, const Setup& setup) {
     const auto position = [&](const Scene& scene, const State& state) {
       return pose(scene.model, state, *find_body(scene.model, body.name)).p_WB;
     };
-    apart = std::max(apart, norm(position(half_scene, half.end) - position(full_scene, full.end)));
+    keep_largest(apart, norm(position(half_scene, half.end) - position(full_scene, full.end)));
   }
   findings.expect_exact({"half_against_full", "half fence against the full one at 0.2 s, largest distance"}, apart, 0.0,
                         "T + T is 2 T, and the steps are chosen by the largest errors, which are equal", "ft");

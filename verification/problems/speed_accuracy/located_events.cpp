@@ -165,7 +165,7 @@ void check_fence(Findings& findings, const Setup& setup, Figure& figure) {
     } else {
       demand("7e-5 of speed at 0.2 s", 1.0, 7e-5, 2166.0);
     }
-    furthest = std::max(furthest, distance_of_others(hit, end, best, findings));
+    keep_largest(furthest, distance_of_others(hit, end, best, findings));
   }
   expect_counted(findings, "fence", evaluations, counted_on_fence);
   findings.expect_truncation(

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "verification/record/csv.hpp"
+#include "verification/study/findings/expectations.hpp"
 
 namespace talus::verification::problems::agreeing_files {
 namespace {
@@ -75,7 +76,7 @@ Json bodies_of(const Run& run) {
 double largest_balance_error(const Run& run) {
   double largest = 0.0;
   for (const double error : run.history.at("balance_error.energy"))
-    largest = std::max(largest, std::abs(error));
+    keep_largest(largest, error);
   return largest;
 }
 

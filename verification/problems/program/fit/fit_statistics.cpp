@@ -114,8 +114,8 @@ double sample_distance() {
   for (const std::vector<double>& sample : found.samples) {
     double nearest = upper - lower;
     for (const double value : possible)
-      nearest = std::min(nearest, std::abs(sample[0] - value));
-    worst = std::max(worst, nearest / (upper - lower));
+      keep_smallest(nearest, std::abs(sample[0] - value));
+    keep_largest(worst, nearest / (upper - lower));
   }
   return found.samples.size() == 400 ? worst : 1.0;
 }
