@@ -55,7 +55,7 @@ double furthest(const Discs& a, const Discs& b, const PeriodicBox& box) {
   for (std::size_t i = 0; i < a.size(); ++i) {
     const Vec2 d{a.x[i] - b.x[i], a.y[i] - b.y[i]};
     const double offset = box.offset(a.shear_displacement);
-    maximum = std::max(maximum, norm(d + box.shift(box.nearest(d, offset), offset)));
+    keep_largest(maximum, norm(d + box.shift(box.nearest(d, offset), offset)));
   }
   return maximum;
 }

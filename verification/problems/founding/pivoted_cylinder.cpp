@@ -263,7 +263,7 @@ void check_ledger(Findings& findings, const Setup& setup) {
       run.gap = phase.lead() * problem.approach_speed;
       const BalanceError found = balance_error_of(scene_of(run, setup), method, phase.step, 1.5 * time, findings);
       energy.add(found.energy);
-      worst_momentum = std::max(worst_momentum, found.momentum);
+      keep_largest(worst_momentum, found.momentum);
     }
     balance_errors.add(time / (n + 0.5), energy.rms());
   }

@@ -79,7 +79,7 @@ void check_rebounds(Findings& findings, const Setup& setup) {
     Series points{fmt::format("k_s/k_n = {:.3g}, solver", kappa), {}, {}, Style::points};
     for (const double ratio : {0.1, 0.5, 0.9, 1.2, 2.0, 2.8}) {
       const Rebound found = measure(oblique_disc(kappa, ratio), setup, findings);
-      largest = std::max(largest, found.error);
+      keep_largest(largest, found.error);
       if (ratio <= 0.5) compare_without_slip(kappa, ratio, found, common, findings);
       points.add(found.before / mu, found.mean / mu);
       table.rows.push_back(cells("{:.4f} | {:g} | {} | {} | {:.1e}", kappa, ratio, returned(found.exact, found.before),
@@ -112,7 +112,7 @@ void check_grazing(Findings& findings, const Setup& setup) {
         const double energy = kinetic_energy(run.end);
         const double before = 0.5 * (1.0 + impact.slip_rate * impact.slip_rate);
         gain = std::max(gain, energy / before - 1.0);
-        error = std::max(error, std::abs(energy + lost - before) / before);
+        keep_largest(error, std::abs(energy + lost - before) / before);
       }
     }
   }

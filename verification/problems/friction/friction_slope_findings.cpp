@@ -97,8 +97,8 @@ SlopeSweep sweep_slopes(bool rolls, const Setup& setup, Findings& findings) {
     sweep.accelerations.push_back(a);
     // A block at rest has no acceleration: its error is relative to gravity along the slope.
     const double scale = reference == 0.0 ? slope_gravity * std::sin(slope.angle) : reference;
-    sweep.farthest = std::max(sweep.farthest, std::abs(a - reference) / scale);
-    sweep.rigid = std::max(sweep.rigid, std::abs(reference - rigid_acceleration(slope)) / scale);
+    keep_largest(sweep.farthest, std::abs(a - reference) / scale);
+    keep_largest(sweep.rigid, std::abs(reference - rigid_acceleration(slope)) / scale);
   }
   return sweep;
 }

@@ -88,7 +88,7 @@ void check_unlike(Findings& findings, const Setup& setup) {
   double farthest = 0.0, impulse_difference = 0.0;
   for (const double ratio : {0.25, 0.75, 1.5, 2.5, 4.0}) {
     const Met met = meet(ratio, 100.0, setup, findings);
-    farthest = std::max(farthest, met.error), impulse_difference = std::max(impulse_difference, met.impulse_difference);
+    keep_largest(farthest, met.error), keep_largest(impulse_difference, met.impulse_difference);
     const double before = ratio * mu / kappa;
     const double exact = reference::rebound(equivalent(before), reference::EndRule::clamped).slip_rate;
     table.rows.push_back(cells("{:g} | {:.5f} | {:.5f} | {:.1e}", ratio, exact / before, met.mean / before, met.error));

@@ -56,7 +56,7 @@ Cooling cool(const L& law, std::size_t discs, double contact_time, std::uint64_t
     Vec2 sum{-drift * static_cast<double>(discs), 0.0};
     for (std::size_t i = 0; i < discs; ++i)
       sum += Vec2{seen.discs.vx[i], seen.discs.vy[i]};
-    found.momentum = std::max(found.momentum, norm(sum));
+    keep_largest(found.momentum, norm(sum));
   });
   findings.count(plan.steps);
   found.slope = slope_of(found.time, found.temperature);
@@ -175,7 +175,7 @@ void run(Findings& findings, const Setup& setup) {
       slope[which] += found.slope / static_cast<double>(seeds);
       slopes.push_back(found.slope);
       if (which == 0) account += found.account / static_cast<double>(seeds);
-      momentum = std::max(momentum, found.momentum);
+      keep_largest(momentum, found.momentum);
       if (seed > 1) continue;
       for (std::size_t i = 0; i < found.time.size(); i += 20)
         drawn[which].add(found.time[i], found.temperature[i]);

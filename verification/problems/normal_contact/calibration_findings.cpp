@@ -59,8 +59,8 @@ void find_calibration_curves(Findings& findings) {
     double shift = 0.0;
     for (const double xi : points.x) {
       const auto events = reference::impact_events({1.0, 2.0 * xi, 1.0, 1.0}, same(rule));
-      shift = std::max(shift, std::abs(leapfrog_restitution_shift(xi, same(rule))) * events.restitution *
-                                  events.contact_time / 200.5);
+      keep_largest(shift, std::abs(leapfrog_restitution_shift(xi, same(rule))) * events.restitution *
+                              events.contact_time / 200.5);
     }
     findings.expect(
         {"mean_e/" + std::string{label}, "largest error of the mean e, e = 0.05 ... 1, " + label}, errors.max(), shift,
@@ -133,12 +133,12 @@ void check_solver_formulas(Findings& findings) {
     for (int i = 1; i <= 200; ++i) {
       const double e = i / 200.0;
       const double xi = reference::damping_ratio(e, same(rule));
-      inverse = std::max(inverse, relative(talus::damping_ratio(e, rule), xi));
-      direct = std::max(direct, relative(talus::restitution(xi, rule), reference::restitution(xi, same(rule))));
+      keep_largest(inverse, relative(talus::damping_ratio(e, rule), xi));
+      keep_largest(direct, relative(talus::restitution(xi, rule), reference::restitution(xi, same(rule))));
       const LinearSpringDashpot law = dashpot_of(xi, 3e5, 0.7, rule);
       const auto events = reference::impact_events({law.stiffness, law.damping, 0.7, 2.5}, same(rule));
-      time = std::max(time, relative(law.contact_time(0.7, 2.5), events.contact_time));
-      depth = std::max(depth, relative(law.largest_overlap(0.7, 2.5), events.largest_depth));
+      keep_largest(time, relative(law.contact_time(0.7, 2.5), events.contact_time));
+      keep_largest(depth, relative(law.largest_overlap(0.7, 2.5), events.largest_depth));
     }
   }
   // Near xi = 1, where the solver uses a series.

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "solver/model/layout.hpp"
+#include "verification/study/findings/expectations.hpp"
 
 namespace talus::verification::problems {
 namespace {
@@ -143,8 +144,8 @@ Scene with_contacts_swapped(const Scene& scene) {
 Difference difference(const State& one, const State& other) {
   Difference maximum;
   for (std::size_t i = 0; i < one.q.size(); ++i) {
-    maximum.position = std::max(maximum.position, std::abs(one.q[i] - other.q[i]));
-    maximum.velocity = std::max(maximum.velocity, std::abs(one.v[i] - other.v[i]));
+    keep_largest(maximum.position, one.q[i] - other.q[i]);
+    keep_largest(maximum.velocity, one.v[i] - other.v[i]);
   }
   return maximum;
 }

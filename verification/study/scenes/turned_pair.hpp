@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "solver/dynamics/dynamics.hpp"
+#include "verification/study/findings/expectations.hpp"
 
 /// Two discs in contact that stick by friction, turned together as one body.
 namespace talus::verification::problems::turned_pair {
@@ -59,8 +60,8 @@ Turn turned(long steps, const Faults& faults) {
     set_pair(state, turn * static_cast<double>(n), turn, !faults.b_stands);
     system.drift(state, 1.0);
     const Vec2 change = force_at(turn * static_cast<double>(n + 1)) - first;
-    found.force = std::max(found.force, std::abs(change.x));
-    found.drag = std::max(found.drag, std::abs(change.y + slip_stiffness * (state.z[0] - first_stretch)));
+    keep_largest(found.force, change.x);
+    keep_largest(found.drag, change.y + slip_stiffness * (state.z[0] - first_stretch));
   }
   found.stretch = state.z[0] - first_stretch;
   dynamics.update(state, work);

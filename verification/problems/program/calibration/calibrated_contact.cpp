@@ -103,7 +103,7 @@ Stepped stepped_of(const reference::Impact& impact, EndRule rule, double e, doub
     const double phase = (i + 0.5) / phases, part = (std::numbers::phi - 1.0) * (i + 0.5);
     found.restitution += stepped(impact, rule, step, phase) / phases;
     const double other = time / (power + part - std::floor(part));
-    found.error = std::max(found.error, std::abs(stepped(impact, rule, other, phase) - e));
+    keep_largest(found.error, stepped(impact, rule, other, phase) - e);
   }
   return found;
 }

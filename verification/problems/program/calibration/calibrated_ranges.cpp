@@ -163,7 +163,7 @@ Range range_of_file(const ImpactRequest& common, ImpactDraw& draw, const Program
 double largest_deviation(const Range& range, double damping) {
   double worst = 0.0;
   for (const ImpactRequest& pair : range.pairs)
-    worst = std::max(worst, std::abs(restitution_with(pair, damping) - range.common.restitution));
+    keep_largest(worst, restitution_with(pair, damping) - range.common.restitution);
   return worst;
 }
 
@@ -247,7 +247,7 @@ void compare_json(const Range& range, const Json& json, const Setup& setup, Wors
     keep_worst(worst.damping, exact[i] / expected.back() - 1.0);
     keep_worst(worst.restitution, restitution[i] - restitution_with(pair, used));
     keep_worst(worst.deviation, deviation[i] - (restitution[i] - wanted));
-    largest = std::max(largest, std::abs(restitution[i] - wanted));
+    keep_largest(largest, restitution[i] - wanted);
     differ.compare("members of a pair", json.at("pairs").at(i).size(), range.given.size() + 5);
     keep_worst(worst.undamped, undamped[i] / undamped_time(pair) - 1.0);
   }
@@ -456,8 +456,8 @@ void compare_step(const Range& range, const Program& program, const std::string&
   }
   if (!std::isfinite(shortest)) return;
   keep_worst(worst.finer, std::max(0.0, shortest / step - 1.0));
-  worst.coarser = std::max(worst.coarser, step / shortest);
-  worst.row = std::max(worst.row, of_row / shortest);
+  keep_largest(worst.coarser, step / shortest);
+  keep_largest(worst.row, of_row / shortest);
 }
 
 /// A pair of nearly no restitution, accurate with few steps, and one of 0.4, whose contact is less than twice as long
@@ -470,7 +470,7 @@ void compare_dissimilar_pairs(const Program& program, WorstRange& worst) {
       program.json(impact, {{"--restitution", {"0.2"}}, {"--masses", {"1 kg", "10 kg", "2"}}, {"--json", {}}});
   const std::string alone = program.run(
       impact, {{"--damping", {fmt::format("{} N s/m", json.at("damping").get<double>())}}, {"--masses", {"10 kg"}}});
-  worst.coarser = std::max(worst.coarser, json.at("step").get<double>() / number_after(alone, "\n  step "));
+  keep_largest(worst.coarser, json.at("step").get<double>() / number_after(alone, "\n  step "));
 }
 
 }  // namespace

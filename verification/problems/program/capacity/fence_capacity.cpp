@@ -377,9 +377,9 @@ void check_changes(const Program& program, Differences& differ) {
   double highest = 0.0, angle = 0.0, spin = 0.0;
   for (std::size_t row = 0; row < runs.rows(); ++row) {
     const auto number = [&](const std::string& head) { return runs.number(row, head); };
-    highest = std::max(highest, std::abs(std::abs(number("fence.rock[0].position[1] [m]")) - 0.25));
-    angle = std::max(angle, std::abs(number("fence.rock[0].angle [rad]") - 0.5));
-    spin = std::max(spin, std::abs(number("fence.rock[0].spin [rad/s]") - 2.0));
+    keep_largest(highest, std::abs(number("fence.rock[0].position[1] [m]")) - 0.25);
+    keep_largest(angle, number("fence.rock[0].angle [rad]") - 0.5);
+    keep_largest(spin, number("fence.rock[0].spin [rad/s]") - 2.0);
   }
   differ.compare("rows", runs.rows(), std::size_t{32});
   differ.holds("heights", highest > 0.09 && highest <= 0.125);
@@ -422,7 +422,7 @@ void check_positions(const Program& program, Differences& differ) {
       continue;
     }
     const double change = std::min(std::abs(along + 0.25), std::abs(along - 0.125));
-    shift = std::max(shift, change), farthest = std::max(farthest, std::abs(along));
+    keep_largest(shift, change), keep_largest(farthest, along);
     differ.holds("spin of a map", turning == -1.0 || turning == 3.0);
     // Uniform random numbers: rocks of other spins have other ones.
     differ.holds("a position of one run alone", positions.insert(along).second);
