@@ -108,8 +108,9 @@ void collect_counts(const json& interface, std::set<double>& numbers) {
   }
 }
 
-/// Killed percentages of the chapter on mutants: of all, of each folder, file and operation, with and without cases
-/// that compare with recorded results, and with those not tried to the end; and the limits of the interval.
+/// Numbers and killed percentages of the chapter on mutants: of all, of written bugs, of each folder, file and
+/// operation, with and without cases that compare with recorded results, and with those not tried to the end; and the
+/// limits of the interval.
 void collect_scores(const json& mutants, std::set<double>& numbers) {
   std::set<std::string> recorded;
   for (const json& one : mutants.at("cases"))
@@ -120,18 +121,20 @@ void collect_scores(const json& mutants, std::set<double>& numbers) {
   std::map<std::string, Counts> counts;
   for (const json& mutant : mutants.at("mutants")) {
     const std::string status = mutant.at("status"), file = mutant.at("file"), operation = mutant.at("operation");
-    if (status == "equivalent" || operation == "bug") continue;
+    if (status == "equivalent") continue;
     bool independent = false;
     for (const json& trial : mutant.at("trials"))
       independent = independent || (trial.at("end") != "pass" && !recorded.contains(trial.at("case")));
-    for (const std::string& group :
-         {std::string("all"), file, file.substr(0, file.rfind('/')), "operation " + operation}) {
+    std::vector<std::string> groups{"operation " + operation};
+    if (operation != "bug") groups.insert(groups.end(), {"all", file, file.substr(0, file.rfind('/'))});
+    for (const std::string& group : groups) {
       Counts& of = counts[group];
       of.pending += status == "pending" ? 1.0 : 0.0, of.counted += status == "pending" ? 0.0 : 1.0;
       if (status == "killed") of.killed += 1.0, of.independent += independent ? 1.0 : 0.0;
     }
   }
   for (const auto& [group, of] : counts) {
+    numbers.insert({of.killed, of.counted, of.pending});
     for (const double killed : {of.killed, of.independent})
       numbers.insert({100.0 * killed / of.counted, 100.0 * killed / (of.counted + of.pending)});
   }

@@ -175,8 +175,9 @@ std::string bug_list(const Mutants& mutants, const Results& results) {
     for (const Trial& trial : bug->trials) {
       if (kills(trial)) red.push_back(trial.case_id);
     }
+    const char* const no_case = bug->status == MutantStatus::pending ? "not tried to the end" : "**none**";
     text += fmt::format("- {}, {}: {} Red: {}.\n", cell(bug->id), location_of(*bug), markdown::text(bug->description),
-                        red.empty() ? "**none**" : joined_links(results, red));
+                        red.empty() ? no_case : joined_links(results, red));
   }
   return text;
 }
@@ -233,7 +234,7 @@ std::string mutants_text(const Mutants& mutants, const Results& results, bool pi
       "ones do not count). They are a sample of {} candidates (seed {}), whose score lies between {} and {} (Wilson "
       "interval, 95 %). **Of {} bugs written by hand {} were killed.** Building took {:.0f} s, the runs {:.0f} s.\n\n",
       mutants.cases.size(), score.killed, score.counted(), percent(score.fraction()), score.equivalent,
-      mutants.candidates, mutants.seed, percent(range.low), percent(range.high), bugs.size(), of_bugs.killed,
+      mutants.candidates, mutants.seed, percent(range.low), percent(range.high), of_bugs.counted(), of_bugs.killed,
       mutants.build_seconds, mutants.run_seconds);
   const Mutants others = without_recorded(mutants);
   if (others.cases.size() < mutants.cases.size()) {
@@ -244,8 +245,13 @@ std::string mutants_text(const Mutants& mutants, const Results& results, bool pi
         "right. **Without it {} are killed: {}**; the tables count it, the curves do not.\n\n",
         score.killed - independent.killed, independent.killed, percent(independent.fraction()));
   }
-  const auto pending = static_cast<std::size_t>(
-      std::ranges::count(sample, MutantStatus::pending, [](const MutantRecord* mutant) { return mutant->status; }));
+  const auto pending_of = [](const std::vector<const MutantRecord*>& some) {
+    return static_cast<std::size_t>(
+        std::ranges::count(some, MutantStatus::pending, [](const MutantRecord* mutant) { return mutant->status; }));
+  };
+  if (pending_of(bugs) > 0)
+    text += fmt::format("{} other written bugs were not tried to the end.\n\n", pending_of(bugs));
+  const std::size_t pending = pending_of(sample);
   if (pending > 0) {
     text += fmt::format(
         "{} generated mutants were not tried to the end, and do not count. If none of them is killed the score is "

@@ -158,6 +158,14 @@ BOOST_AUTO_TEST_CASE(what_was_not_tried_to_the_end_does_not_count) {
   BOOST_TEST(text.find("3 of 3 generated mutants were killed: 100.0 %") != std::string::npos);
   BOOST_TEST(text.find("1 generated mutants were not tried to the end, and do not count. If none of them is killed the "
                        "score is 75.0 %.") != std::string::npos);
+  MutantRecord other = stopped.mutants.back();
+  other.id = "other", other.status = MutantStatus::pending, other.trials.clear();
+  stopped.mutants.push_back(other);
+  const std::string with_bug = mutants_text(stopped, {}, true);
+  for (const char* part : {"Of 1 bugs written by hand 1 were killed", "1 other written bugs were not tried to the end.",
+                           "Red: not tried to the end.\n"})
+    BOOST_TEST(with_bug.find(part) != std::string::npos, with_bug);
+  stopped.mutants.pop_back();
   const auto rows = [](const Mutants& of) { return mutants_figures(of)[0].y.max; };
   BOOST_TEST(*rows(stopped) == *rows(some()) - 1.0);
 }
