@@ -4,8 +4,8 @@
 
 namespace talus::verification {
 
-/// The file or folder `name` of the folder `cases`: a deck, published numbers, recorded fingerprints. The folder is that
-/// of the sources, or the one that replaces it.
+/// The file or folder `name` of the folder `cases`: a deck, published numbers, recorded fingerprints. The folder is
+/// that of the sources, or the one that replaces it.
 [[nodiscard]] std::filesystem::path case_file(const std::filesystem::path& name);
 
 /// Replaces the folder `cases`, before any case runs: a copy with changed files shows whether the cases notice.

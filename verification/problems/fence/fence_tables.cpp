@@ -425,7 +425,7 @@ void report(Findings& findings, const std::vector<RowRun>& rows) {
       any / count));
 }
 
-/// That the print is whole, and that each of its rows is of the deck that stands for its table.
+/// That no row of the print is missing, and that rock and slack of each row are those of its table's deck.
 void check_rows(Findings& findings, const std::vector<RowRun>& rows) {
   double rocks = 0.0, slacks = 0.0;
   for (const RowRun& row : rows) {
