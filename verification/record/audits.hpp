@@ -147,8 +147,8 @@ inline constexpr std::array audit_names{"mutants", "gate",   "interface", "round
                                                const std::filesystem::path& recorded);
 
 /// Reads defects.json from the folder of recorded audits, and mutants.json, gate.json, interface.json, rounding.json,
-/// fuzz.json, faults.json, inputs.json and lines.json: each from the folder of the run if it is there, else from that of
-/// recorded audits, whose origins.json must name its origin. Throws FileError, and RecordError for invalid content.
+/// fuzz.json, faults.json, inputs.json and lines.json: each from the folder of the run if it is there, else from that
+/// of recorded audits, whose origins.json must name its origin. Throws FileError, and RecordError for invalid content.
 [[nodiscard]] Audits read_audits(const std::filesystem::path& run, const std::filesystem::path& recorded);
 
 /// Throw FileError if the file cannot be written.
