@@ -1,4 +1,5 @@
-/// Chapters of the report on audits: mutated input, killed runs, changed references and executed lines. All results are Markdown.
+/// Chapters of the report on audits: mutated input, killed runs, changed references and executed lines. All results are
+/// Markdown.
 #pragma once
 
 #include <string>
