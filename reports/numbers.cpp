@@ -119,7 +119,9 @@ void collect_scores(const json& mutants, std::set<double>& numbers) {
     double killed{}, independent{}, counted{}, pending{};
   };
   std::map<std::string, Counts> counts;
+  double tried = 0.0;
   for (const json& mutant : mutants.at("mutants")) {
+    tried += mutant.at("status") == "pending" ? 0.0 : 1.0;
     const std::string status = mutant.at("status"), file = mutant.at("file"), operation = mutant.at("operation");
     if (status == "equivalent") continue;
     bool independent = false;
@@ -133,6 +135,7 @@ void collect_scores(const json& mutants, std::set<double>& numbers) {
       if (status == "killed") of.killed += 1.0, of.independent += independent ? 1.0 : 0.0;
     }
   }
+  numbers.insert(tried);
   for (const auto& [group, of] : counts) {
     numbers.insert({of.killed, of.counted, of.pending});
     for (const double killed : {of.killed, of.independent})

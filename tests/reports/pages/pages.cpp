@@ -239,7 +239,7 @@ BOOST_AUTO_TEST_CASE(coverage_counts_the_mutants_that_checks_noticed) {
   all.records.push_back(record("files", "G: the program", {check("history.csv: rows"), check("history.csv: names")}));
   talus::records::Mutants mutants;
   const auto mutant = [](const std::string& id, const std::string& case_id, std::vector<std::string> failed) {
-    talus::records::MutantRecord made{.id = id};
+    talus::records::MutantRecord made{.id = id, .status = talus::records::MutantStatus::killed};
     made.trials.push_back({.case_id = case_id, .end = talus::records::TrialEnd::fail, .failed = std::move(failed)});
     return made;
   };
@@ -253,6 +253,17 @@ BOOST_AUTO_TEST_CASE(coverage_counts_the_mutants_that_checks_noticed) {
   BOOST_TEST(contains(text, "| circle | **none** | 1 (1) |"), text);
   BOOST_TEST(contains(text, "| 4 (**0**) |"), text);  // the integrator
   BOOST_TEST(contains(text, "| history.csv | `files` | 2 (1) |"), text);
+  // Only if each was run with each case, a 0 is a gap.
+  BOOST_TEST(contains(text, "A **0** may be a gap"), text);
+  mutants.whole_matrix = true;
+  BOOST_TEST(contains(coverage(all, &mutants), "A **0** is a gap"));
+  mutants.cases = {{.id = "files"}};
+  BOOST_TEST(contains(coverage(all, &mutants), "A **0** may be a gap"));
+  mutants.cases.clear();
+  mutants.mutants[2].status = talus::records::MutantStatus::pending;
+  BOOST_TEST(contains(coverage(all, &mutants),
+                      "how many of 2 [mutants](page:mutants) at least one of these checks "
+                      "noticed. A **0** may be a gap"));
 }
 
 BOOST_AUTO_TEST_CASE(common_formulas_are_gathered_from_the_cases) {
