@@ -65,7 +65,7 @@ void declare_baseline(CLI::App& app, BaselineOptions& options) {
           ->group(group);
   app.add_option("--compare", options.compare, "Run nothing: compare this results.json with --baseline")
       ->needs(baseline)
-      ->excludes("--quick", "--full", "--jobs", "--list", "--rounding", "--cases")
+      ->excludes("--quick", "--full", "--jobs", "--list", "--rounding", "--inputs")
       ->group(group);
   app.add_option("--tolerance", options.tolerances,
                  "Measured values may change by X times the error bound of their check (an exact check: times its "
@@ -119,7 +119,7 @@ void declare(CLI::App& app, Options& options) {
       ->check(CLI::IsMember(rounding_modes))
       ->excludes(reuse)
       ->capture_default_str();
-  app.add_option("--cases", options.cases,
+  app.add_option("--inputs", options.cases,
                  "Read decks, published numbers and recorded fingerprints from this folder, a changed copy of the "
                  "project's cases/: whether cases notice the change (scripts/inputs)")
       ->check(CLI::ExistingDirectory)
@@ -248,7 +248,7 @@ int run(const std::vector<Case>& cases, const Catalogue& catalogue, const Option
   Results results;
   results.provenance = provenance();
   if (options.rounding != "nearest") results.provenance.flags += " --rounding " + options.rounding;
-  if (!options.cases.empty()) results.provenance.flags += " --cases " + options.cases;
+  if (!options.cases.empty()) results.provenance.flags += " --inputs " + options.cases;
   results.tier = tier;
   results.registered = ids_of(cases);
   results.selected = ids_of(selection);

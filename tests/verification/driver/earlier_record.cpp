@@ -123,13 +123,13 @@ BOOST_AUTO_TEST_CASE(another_folder_of_cases_is_read) {
     return verify({reading}, TALUS_CATALOGUE, static_cast<int>(options.size()), options.data());
   };
   BOOST_TEST(status({}) == 0);
-  BOOST_TEST(status({"--cases", copy.c_str()}) == 1);
-  BOOST_TEST(scratch.take("out/results.json").find(" --cases ") != std::string::npos);
+  BOOST_TEST(status({"--inputs", copy.c_str()}) == 1);
+  BOOST_TEST(scratch.take("out/results.json").find(" --inputs ") != std::string::npos);
   scratch.write("copy/number.txt", "1");
-  BOOST_TEST(status({"--cases", copy.c_str()}) == 0);
+  BOOST_TEST(status({"--inputs", copy.c_str()}) == 0);
   replace_case_folder(before);
-  BOOST_TEST(status({"--reuse", "--cases", copy.c_str()}) == 2);
-  BOOST_TEST(status({"--cases", "absent"}) == 2);
+  BOOST_TEST(status({"--reuse", "--inputs", copy.c_str()}) == 2);
+  BOOST_TEST(status({"--inputs", "absent"}) == 2);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
