@@ -10,6 +10,7 @@
 #include "solver/io/fence1993/read_deck.hpp"
 #include "verification/check/case_file.hpp"
 #include "verification/record/csv.hpp"
+#include "verification/record/error.hpp"
 
 namespace talus::verification::problems {
 namespace {
