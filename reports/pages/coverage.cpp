@@ -245,13 +245,14 @@ std::string coverage(const Results& results, const records::Mutants* mutants) {
       "Each number counts checks of this run that a case claims for a requirement, or for both of two; requirements "
       "without a check show **none**. The lists of laws, modes, rules, integrators and shapes are the solver's own.";
   if (mutants != nullptr) {
-    const auto pending = static_cast<std::size_t>(
-        std::ranges::count(mutants->mutants, records::MutantStatus::pending, &records::MutantRecord::status));
-    const bool each_with_each = mutants->whole_matrix && pending == 0 &&
+    records::Score score;
+    for (const records::MutantRecord& mutant : mutants->mutants)
+      records::count(score, mutant);
+    const bool each_with_each = mutants->whole_matrix && score.pending == 0 &&
                                 std::ranges::all_of(mutants->cases, &records::UnchangedCase::in_matrix);
     text += fmt::format(
         " In parentheses: how many of {} [mutants](page:mutants) at least one of these checks noticed. {}",
-        mutants->mutants.size() - pending,
+        mutants->mutants.size() - score.pending,
         each_with_each ? "A **0** is a gap: what these checks measure was not shown to fail by any of them."
                        : "A **0** may be a gap: none of them made these checks fail, but not each was run with each "
                          "case that evaluates it.");

@@ -245,18 +245,13 @@ std::string mutants_text(const Mutants& mutants, const Results& results, bool pi
         "right. **Without it {} are killed: {}**; the tables count it, the curves do not.\n\n",
         score.killed - independent.killed, independent.killed, percent(independent.fraction()));
   }
-  const auto pending_of = [](const std::vector<const MutantRecord*>& some) {
-    return static_cast<std::size_t>(
-        std::ranges::count(some, MutantStatus::pending, [](const MutantRecord* mutant) { return mutant->status; }));
-  };
-  if (pending_of(bugs) > 0)
-    text += fmt::format("{} other written bugs were not tried to the end.\n\n", pending_of(bugs));
-  const std::size_t pending = pending_of(sample);
-  if (pending > 0) {
+  if (of_bugs.pending > 0) text += fmt::format("{} other written bugs were not tried to the end.\n\n", of_bugs.pending);
+  if (score.pending > 0) {
     text += fmt::format(
         "{} generated mutants were not tried to the end, and do not count. If none of them is killed the score is "
         "{}.\n\n",
-        pending, percent(static_cast<double>(score.killed) / static_cast<double>(score.counted() + pending)));
+        score.pending,
+        percent(static_cast<double>(score.killed) / static_cast<double>(score.counted() + score.pending)));
   }
   text += score_table("folder", scores_by(sample, folder_of), score) + "\n";
   text += score_table("file", scores_by(sample, [](const MutantRecord& mutant) { return mutant.file; }), score) + "\n";

@@ -49,7 +49,7 @@ struct Options {
   bool full = false;
   bool reuse = false;
   std::string rounding = "nearest";
-  std::string cases;  ///< in place of the project's folder `cases`; empty: that one
+  std::string inputs;  ///< in place of the project's folder `cases`; empty: that one
   BaselineOptions baseline;
 };
 
@@ -119,7 +119,7 @@ void declare(CLI::App& app, Options& options) {
       ->check(CLI::IsMember(rounding_modes))
       ->excludes(reuse)
       ->capture_default_str();
-  app.add_option("--inputs", options.cases,
+  app.add_option("--inputs", options.inputs,
                  "Read decks, published numbers and recorded fingerprints from this folder, a changed copy of the "
                  "project's cases/: whether cases notice the change (scripts/inputs)")
       ->check(CLI::ExistingDirectory)
@@ -248,7 +248,7 @@ int run(const std::vector<Case>& cases, const Catalogue& catalogue, const Option
   Results results;
   results.provenance = provenance();
   if (options.rounding != "nearest") results.provenance.flags += " --rounding " + options.rounding;
-  if (!options.cases.empty()) results.provenance.flags += " --inputs " + options.cases;
+  if (!options.inputs.empty()) results.provenance.flags += " --inputs " + options.inputs;
   results.tier = tier;
   results.registered = ids_of(cases);
   results.selected = ids_of(selection);
@@ -267,12 +267,13 @@ int run(const std::vector<Case>& cases, const Catalogue& catalogue, const Option
   Terminal terminal(selection.size(), options.rounding);
   const unsigned jobs = options.jobs == 0 ? std::max(1u, results.provenance.cores) : options.jobs;
   auto reserve = std::make_unique_for_overwrite<char[]>(reserve_size);
-  const RunPlan plan{.out = out,
-                     .jobs = jobs,
-                     .tier = tier,
-                     .rounding = rounding_modes.at(options.rounding),
-                     .program = options.rounding == "nearest" && options.cases.empty() ? program_fingerprint(read) : "",
-                     .reuse = options.reuse};
+  const RunPlan plan{
+      .out = out,
+      .jobs = jobs,
+      .tier = tier,
+      .rounding = rounding_modes.at(options.rounding),
+      .program = options.rounding == "nearest" && options.inputs.empty() ? program_fingerprint(read) : "",
+      .reuse = options.reuse};
   results.records = records_of(selection, cases, catalogue, plan, terminal);
   write_results_within_memory(results, catalogue, out, std::move(reserve));
   terminal.summarise(results, (out / "results.json").string());
@@ -326,7 +327,7 @@ int verify(std::vector<Case> cases, const fs::path& catalogue_folder, int argc, 
       print_list(cases);
       return exit_pass;
     }
-    if (!options.cases.empty()) replace_case_folder(fs::absolute(options.cases));
+    if (!options.inputs.empty()) replace_case_folder(fs::absolute(options.inputs));
     const Catalogue catalogue = read_catalogue(catalogue_folder);
     read.push_back(catalogue_folder);
     return options.baseline.compare.empty() ? run(cases, catalogue, options, read) : compare_files(catalogue, options);

@@ -73,6 +73,7 @@ void count(Score& score, const MutantRecord& mutant) {
       ++score.equivalent;
       return;
     case MutantStatus::pending:
+      ++score.pending;
       return;
   }
 }

@@ -107,8 +107,9 @@ struct Score {
   std::size_t survived{};
   std::size_t unreached{};
   std::size_t equivalent{};
+  std::size_t pending{};
 
-  /// Number of mutants in the score: all except the equivalent ones.
+  /// Number of mutants in the score: all except the equivalent and the pending ones.
   [[nodiscard]] std::size_t counted() const { return killed + survived + unreached; }
   /// Killed fraction of the counted mutants; 1 if there are none.
   [[nodiscard]] double fraction() const {
