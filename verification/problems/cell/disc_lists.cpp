@@ -79,6 +79,32 @@ void expect_edges(Findings& findings, const Setup& setup) {
   findings.expect({"edges", "values that differ from a loop over all pairs, fast engine"}, fast_differs, 0.0, same);
 }
 
+/// A periodic box is refused if it is narrower than two reaches of the list, within which a disc could meet two images
+/// of another.
+void expect_narrow_boxes(Findings& findings) {
+  constexpr double small = 0.4, reach = 2.0 * radius + skin;  // of two of the largest discs
+  DiscShapes shapes;
+  Discs discs;
+  shapes.add(radius, 1.0), shapes.add(small, 1.0);
+  discs.add(0.0, 0.0, 0.0, 0.0), discs.add(1.2, 0.2, 0.0, 0.0);
+  double wrong = 0.0;
+  for (const bool wide : {true, false}) {
+    const double narrow = (wide ? 2.001 : 1.999) * reach;
+    for (const PeriodicBox& box : {PeriodicBox{.width = narrow}, PeriodicBox{.width = 10.0, .height = narrow}}) {
+      bool refused = false;
+      try {
+        NeighbourList list{box, skin};
+        list.build(shapes, discs);
+      } catch (const InputError&) {
+        refused = true;
+      }
+      wrong += refused == !wide ? 0.0 : 1.0;
+    }
+  }
+  findings.expect_exact("periodic boxes on both sides of two reaches of the list that are wrongly accepted or refused",
+                        wrong, 0.0, "width and height, a thousandth below and above");
+}
+
 enum class Numbering { by_rows, scattered };
 
 /// A cell of rough discs of two sizes, whose lever arms differ, with fast discs and a driven block. Scattered: the
@@ -303,6 +329,7 @@ void run(Findings& findings, const Setup& setup) {
     expect_losses<FastDiscSystem<LinearSpringDashpot, CoulombFriction>>(findings, setup, "fast engine");
   }
   if (setup.needs("loop over all pairs")) expect_edges(findings, setup);
+  if (setup.needs("periodic boxes")) expect_narrow_boxes(findings);
   if (setup.needs("threads")) {
     expect_stripes(findings, setup, Numbering::by_rows);
     expect_stripes(findings, setup, Numbering::scattered);

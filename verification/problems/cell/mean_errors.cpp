@@ -238,8 +238,61 @@ void expect_verdicts(Findings& findings, const Setup& setup) {
                         "each verdict follows from both");
 }
 
+/// Points with two and with three seeds: only the mean of two scatters, so that the difference has one degree of freedom,
+/// and Student's distribution is Cauchy's.
+void expect_unequal_seeds(Findings& findings) {
+  std::vector<StudyMean> study;
+  const auto add = [&](const char* series, double load, const std::vector<double>& depths) {
+    std::vector<std::array<double, study_quantities>> numbers(depths.size());
+    for (std::size_t seed = 0; seed < depths.size(); ++seed)
+      numbers[seed][static_cast<std::size_t>(Q::depth)] = depths[seed];
+    study.push_back(made_point(series, load, numbers));
+  };
+  constexpr double apart = 0.5, scatter = 0.1;
+  for (const char* const series : {"5000 d/s", "1000 d/s"})
+    add(series, 2e3, {9.0 - scatter, 9.0 + scatter}), add(series, 32e3, {9.0 - apart, 9.0 - apart, 9.0 - apart});
+  const Verdict found = verdicts(study).at(0);
+  // The standard error of the mean of two is half their distance.
+  const double t = -apart / scatter;
+  findings.expect_round_off("verdict on points with two and three seeds: Student's t", found.significance, t, 1e-13,
+                            "differences of numbers of 9, of which 14 digits remain");
+  findings.expect_round_off("verdict on points with two and three seeds: probability", found.chance,
+                            1.0 - 2.0 / std::numbers::pi * std::atan(-t), 3e-14,
+                            "one degree of freedom in closed form, as for four and five");
+}
+
+/// A quantity that has no value in draws without one of the blocks, and is the mean of the others elsewhere. With one
+/// block of n at zero and half of the others at 1, half at -1, the mean of a draw that has that block K times has the
+/// variance (n - K)/n^2; K is binomial with mean 1, and draws count if K > 0. The signs are Legendre symbols of the
+/// prime n (1 for squares), whose neighbours are uncorrelated.
+void expect_undefined_draws(Findings& findings) {
+  constexpr std::size_t blocks = 41;
+  std::vector<double> signs(blocks, -1.0);
+  signs[0] = 0.0;
+  for (std::size_t k = 1; k < blocks; ++k)
+    signs[k * k % blocks] = 1.0;
+  BlockMeans means{2, static_cast<double>(blocks), blocks};
+  for (std::size_t k = 0; k < blocks; ++k) {
+    const std::array values{signs[k], k == 0 ? 1.0 : 0.0};
+    means.add(static_cast<double>(k) + 0.5, 1.0, values);
+  }
+  const Estimate found = means.estimate(0, [](const BlockMeans::Means& mean) {
+    return mean(1) > 0.0 ? mean(0) : std::numeric_limits<double>::quiet_NaN();
+  });
+  constexpr double n = blocks;
+  const double defined = 1.0 - std::pow(1.0 - 1.0 / n, n);
+  const double variance = (n - 1.0 / defined) / (n * n) * n / (n - 1.0);
+  findings.expect("error of a mean that a third of the draws do not have, over the exact one",
+                  found.error / std::sqrt(variance), 1.0,
+                  Tolerance::model(0.13,
+                                   "four standard deviations of the scatter of some 250 normal numbers; with the "
+                                   "draws without a value it would be smaller by a fifth"));
+}
+
 void run(Findings& findings, const Setup& setup) {
   expect_coverage(findings, setup);
+  expect_undefined_draws(findings);
+  if (setup.needs("verdict")) expect_unequal_seeds(findings);
   if (setup.needs("study: ")) expect_study(findings, setup);
   if (setup.needs("verdicts")) expect_verdicts(findings, setup);
 }

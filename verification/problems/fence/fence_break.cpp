@@ -117,6 +117,37 @@ Reversed reversed_cables(Findings& findings) {
   return found;
 }
 
+/// Hangers that break at the first evaluation of a fence at rest if the second and the third are too weak for a column.
+std::vector<std::size_t> broken_at_once(double second, double third) {
+  scenes::FenceScene made = scenes::fence_scene(weak_fence(1e9));
+  Model& model = made.scene.model;
+  const Body& column = model.bodies[index(*find_body(model, "column1"))];
+  const double weight = column.mass * weak_fence(1e9).gravity;
+  for (Hanger& hanger : model.hangers) {
+    if (hanger.name == "hanger2") hanger.strength = second * weight;
+    if (hanger.name == "hanger3") hanger.strength = third * weight;
+  }
+  const Dynamics dynamics{model};
+  Workspace work = dynamics.workspace();
+  State state = made.scene.initial;
+  dynamics.update(state, work), dynamics.update_modes(state, work);
+  std::vector<std::size_t> broken;
+  for (std::size_t h = 0; h < model.hangers.size(); ++h)
+    if (state.mode[dynamics.layout().first_hanger + h] != 0) broken.push_back(h + 1);
+  return broken;
+}
+
+/// The break of the most loaded hanger may relieve others.
+void check_relief(Findings& findings, const Setup& setup) {
+  const double third = setup.has("strong_third") ? 1e9 : 0.8;
+  findings.expect_true({"relieved_hanger", "breaks of hangers of 0.9 and 0.8 of a column's weight: the weakest alone"},
+                       broken_at_once(0.9, third) == std::vector<std::size_t>{3},
+                       "without the third hanger the cable runs slack to the fourth; at the second one it only carries "
+                       "half of the central column, 0.5 of its weight");
+  findings.expect_true("break of a hanger of 0.9 of a column's weight alone",
+                       broken_at_once(0.9, 1e9) == std::vector<std::size_t>{2}, "each hanger carries its column");
+}
+
 /// Change of the central column's velocity [ft/s] over a time without contact, without a bottom cable.
 struct Flight {
   Vec2 change;
@@ -198,6 +229,7 @@ void run(Findings& findings, const Setup& setup) {
     findings.expect_true("breaks of several hangers with the cables in reverse order", found.broken >= 2.0,
                          "a straight line past the broken hangers then consists of three cables");
   }
+  check_relief(findings, setup);
   const Flight flight = free_flight(setup);
   findings.expect_round_off({"falling_column", "downward acceleration of a column without hanger and bottom cable"},
                             -flight.change.y / flight.time, flight.gravity, 4.5e-11,
@@ -228,6 +260,7 @@ Case definition() {
                      {"strength_unread", "hangers of half the strength",
                       "breaks of a hanger 0.1 % stronger than the largest force"},
                      {"hangs_on", "hangers that never break", "falling_column"},
+                     {"strong_third", "a third hanger that holds", "relieved_hanger"},
                      {"other_strength", "hangers of the full model stronger by a tenth", "half_against_full"}},
           .run = run};
 }

@@ -487,6 +487,15 @@ void check_rock_pairs(Findings& findings) {
   findings.expect_exact(
       "pairs of rocks of different size side by side with a wrong or no contact", wrong, 0.0,
       "discs in parallel planes can touch exactly if the planes are closer than the sum of the radii");
+  scenes::Fence fence = fence_of_today();
+  fence.options.symmetry = FenceSymmetry::full, fence.options.contact = scenes::FenceContact::nodes;
+  fence.rocks.push_back(fence.rocks[0]);
+  fence.rocks[1].position.x += 3.0;
+  fence.rocks[0].points = 3, fence.rocks[1].points = 6;
+  const Model model = scenes::fence_scene(fence).scene.model;
+  const auto nodes = model.contacts[index(*find_contact(model, "rock1-rock2"))].nodes;
+  findings.expect_true("nodes of the contact of two rocks with 3 and 6 points a quadrant", nodes == std::array{8, 20},
+                       "four quadrants, each with one end of its points");
 }
 
 void run(Findings& findings, const Setup& setup) {
@@ -500,6 +509,7 @@ void run(Findings& findings, const Setup& setup) {
   check_start(findings, setup);
   check_sides(findings, setup);
   check_rock_pairs(findings);
+  check_held_elements(findings, setup);
   check_outlines(findings);
   check_reach(findings);
   check_warnings(findings);
@@ -521,7 +531,8 @@ Case definition() {
       .source = "Mustoe & Huttelmaier 1993, sections 2.4, 3.1 and 3.5",
       .faults = {{"denser_columns", "dissimilar columns denser by a millionth", "masses"},
                  {"one_rock_higher", "one of two rocks hits 0.01 ft higher", "mirrored_dashpots"},
-                 {"late_look", "columns counted after ten steps instead of three", "columns awake after three steps"}},
+                 {"late_look", "columns counted after ten steps instead of three", "columns awake after three steps"},
+                 {"gravity_down", "gravity of either sign compared with gravity along -y", "held_elements"}},
       .run = run};
 }
 

@@ -216,6 +216,18 @@ void check_ends(Findings& findings) {
   findings.expect_between("delay between exit of a rock above the fence and end of the run",
                           run.state.t - (fence.rocks[0].position.x - exit) / 65.0, 0.0, step,
                           "the run ends with the first step beyond the exit", "s");
+  // A condition that holds at the last step does not stop the run, which has reached its end.
+  const auto stopped_at = [&](double time) {
+    double at = 0.0;
+    (void)run_scene(
+        made.scene, VelocityVerlet{}, {step, 5.0 * step, step, false}, findings,
+        [&](const State& state, const StepInfo& info) { at = info.stop ? state.t : at; },
+        [&](const State& state) { return state.t > time; });
+    return at;
+  };
+  findings.expect_true("stop of a run by a condition: at the step before the last, but not at the last",
+                       std::abs(stopped_at(3.5 * step) - 4.0 * step) < 1e-12 && stopped_at(4.5 * step) == 0.0,
+                       "a run of five steps that ends has finished");
   fence.options.end = scenes::FenceEnd::rest;
   scenes::FenceElement slow = fence.rocks[0];
   slow.velocity = {-3.0, 4.0}, slow.position.x += 5.0;

@@ -3,6 +3,7 @@
 #include "solver/run/failure_log.hpp"
 #include "solver/scenes/fence_scene.hpp"
 #include "solver/scenes/fence_summary.hpp"
+#include "verification/problems/fence/rock_passages.hpp"
 #include "verification/problems/fence/watched_summary.hpp"
 #include "verification/reference/cables/cable_draw.hpp"
 #include "verification/study/scenes/cable_scenes.hpp"
@@ -402,11 +403,13 @@ void check_verdicts(Findings& findings, const Setup& setup) {
   // A light rock that rebounds: resumed between its turning point and its exit.
   scenes::Fence fence = two_sided_fence();
   fence.rocks[0].density *= 0.05;
+  fence.ground_profile = {{-90.0, -9.5}, {90.0, -9.5}};
   const scenes::FenceScene made = scenes::fence_scene(fence);
   const Dynamics dynamics{made.scene.model};
   WatchedSummary watch{fence, made, dynamics, 1.6e-3};
   (void)run_scene(made.scene, VelocityVerlet{}, {step, 5e-3, 1e-3, false}, findings, std::ref(watch));
   resumed += watch.resumed_differences();
+  keep_worst(heights, watch.height_error());
   const scenes::RockPassage& light = watch.summary().rocks[0];
   findings.expect_true("verdict on a light rock: stopped, turning before the interruption and leaving after it",
                        light.verdict == Verdict::stopped && light.turned && light.braking_time < 1.6e-3 && light.left &&
@@ -433,6 +436,7 @@ void run(Findings& findings, const Setup& setup) {
   if (setup.needs("anchors") || setup.needs("second rock")) check_summary(findings, setup);
   if (setup.needs("layer")) check_second_layer(findings);
   if (setup.needs("rock with hangers")) check_verdicts(findings, setup);
+  if (setup.needs("from behind")) check_passages(findings, setup);
 }
 
 }  // namespace
@@ -457,6 +461,7 @@ Case definition() {
                  {"denser_rock", "second rock denser by a thousandth",
                   "stiffness of each rock's contacts, worst relative error"},
                  {"hangers_hold", "hangers that never break", "low_rock"},
+                 {"spin_not_mirrored", "a rock from behind that turns as the one in front", "from_behind"},
                  {"one_anchor_alone", "impulse on one anchor only", "momentum_balance"}},
       .run = run};
 }

@@ -99,7 +99,11 @@ double WatchedSummary::largest_hanger(const Snapshot& seen) const {
 void WatchedSummary::take_heights(const Snapshot& seen) {
   const scenes::FenceElement& ground = fence_->ground;
   const Vec2 up{-std::sin(ground.angle), std::cos(ground.angle)};
-  const auto over_ground = [&](Vec2 p) { return dot(p - ground.position, up) - ground.b; };
+  // A profile is level in this case.
+  const std::vector<Vec2>& profile = fence_->ground_profile;
+  const auto over_ground = [&](Vec2 p) {
+    return profile.empty() ? dot(p - ground.position, up) - ground.b : p.y - profile.front().y;
+  };
   double top = std::numeric_limits<double>::infinity(), bottom = -top;
   for (std::size_t i = 0; i < model_->bodies.size(); ++i) {
     const std::string& name = model_->bodies[i].name;

@@ -182,11 +182,28 @@ void check_peak(Findings& findings) {
                             "m");
 }
 
+/// Overlap of outlines with each segment of a valley, the last one too: the depth along the normal of the segment.
+void check_segments(Findings& findings) {
+  constexpr double depth = 0.125, radius = 0.5;
+  const std::vector<Vec2> points{{-3.0, 1.5}, {-1.0, 0.0}, {1.0, 0.0}, {3.0, 1.0}};
+  double worst = 0.0;
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    const Vec2 along = points[i + 1] - points[i];
+    const Vec2 normal = (1.0 / norm(along)) * Vec2{-along.y, along.x};
+    Pose ground, body;
+    ground.p_WB = {3.0, -2.0}, ground.R_WB = rotation(0.2);
+    body.p_WB = ground.p_WB + ground.R_WB * (0.5 * (points[i] + points[i + 1]) + (radius - depth) * normal);
+    keep_worst(worst, penetration(Circle{radius}, body, Terrain{points}, ground) - depth);
+  }
+  findings.expect_round_off({"each_segment", "overlap of a disc with each segment of a valley, largest error"}, worst,
+                            0.0, 4e-15, "positions of 3 m, rounded to 2.2e-16, turned twice: eight roundings", "m");
+}
+
 void run_all(Findings& findings, const Setup& setup) {
   check_straight(findings, setup);
   check_crest(findings, setup);
   check_notch(findings, setup);
-  if (!setup.coarse) check_peak(findings);
+  if (!setup.coarse) check_peak(findings), check_segments(findings);
 }
 
 }  // namespace

@@ -294,6 +294,29 @@ void check_sleep(Findings& findings, const Setup& setup, Table& table) {
                              std::abs(on.state.v[0] / off.state.v[0] - 1.0)));
 }
 
+/// A rock that falls on the middle column from above: the columns beside it are pulled downwards alone.
+void check_fall(Findings& findings, const Setup& setup) {
+  const auto with = [&](Sleep sleep) {
+    scenes::Fence fence = published_fence("table_2.DAT");
+    fence.options.sleep = sleep;
+    scenes::FenceElement& rock = fence.rocks[0];
+    rock.position = {fence.column.position.x, fence.column.position.y + fence.column.b + rock.b + 0.01};
+    rock.velocity = {0.0, -65.0}, rock.spin = 0.0;
+    return run_long(scenes::fence_scene(fence), findings);
+  };
+  const LongRun off = with(Sleep::off), exact = with(setup.has("default_for_exact") ? Sleep::on : Sleep::exact);
+  findings.expect_exact(
+      {"falling_rock",
+       "rock that falls on a column, sleep exact: state against the run without sleep, largest difference"},
+      change(exact.state, off.state), 0.0,
+      "the next column wakes as soon as the pull on it changes by a bit, in whatever direction");
+  double woken = 0.0;
+  for (const double awake : exact.columns.y)
+    woken = std::max(woken, awake);
+  findings.expect_between("columns awake after a rock fell on the middle one", woken, 2.0, 7.0,
+                          "the middle column pulls the others, one after the other; half of thirteen are modelled");
+}
+
 void check_length(Findings& findings, const Setup& setup, Table& table) {
   const auto with = [&](int columns, Sag sag) {
     return run_long(long_fence(columns, sag, setup.has("never_asleep") ? Sleep::off : Sleep::on), findings);
@@ -427,6 +450,7 @@ void run(Findings& findings, const Setup& setup) {
                   "Without sleep a fence evaluates all its columns; half of a fence is modelled.",
               .columns = {"what", "in the scene", "evaluated", "change of the result"}};
   if (setup.needs("sleep exact") || setup.needs("sleep by default")) check_sleep(findings, setup, table);
+  check_fall(findings, setup);
   if (setup.needs("with a moment")) check_turning(findings, setup);
   if (setup.needs("columns awake")) check_length(findings, setup, table);
   if (setup.needs("with every pair") || setup.needs("with every guard")) check_contacts(findings, setup, table);

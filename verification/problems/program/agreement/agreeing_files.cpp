@@ -10,6 +10,7 @@
 #include "verification/problems/program/agreement/agreeing_history.hpp"
 #include "verification/problems/program/agreement/expected_fence.hpp"
 #include "verification/problems/program/agreement/fence_contacts.hpp"
+#include "verification/problems/program/agreement/printed_summary.hpp"
 #include "verification/record/csv.hpp"
 #include "verification/reference/impacts/restitution.hpp"
 #include "verification/study/findings/expectations.hpp"
@@ -103,6 +104,23 @@ void check_codes(const TemporaryFolder& folder, const Run& run, Findings& findin
   }
   different.expect(findings, "fence.history.csv: columns that differ from fence.history.json",
                    "names, units and all digits agree");
+}
+
+/// The printed summary: each line from the numbers of summary.json.
+void check_print(const std::vector<Run>& runs, Findings& findings, const Setup& setup) {
+  Disagreements lines;
+  for (Run run : runs) {
+    if (setup.has("idle_cables")) run.summary["ledger"]["energy"]["cables"] = 0.0;
+    const std::vector<std::string> found = compared_print(run), expected = expected_print(run);
+    for (std::size_t i = 0; i < std::max(found.size(), expected.size()); ++i) {
+      const std::string line = i < expected.size() ? expected[i] : "no line";
+      lines.check(
+          fmt::format("{}: '{}' in place of '{}'", run.facts.file, i < found.size() ? found[i] : "no line", line),
+          i < found.size() && found[i] == line);
+    }
+  }
+  lines.expect(findings, "printed summary: lines that differ from summary.json",
+               "each number is that of summary.json, with the digits that are printed");
 }
 
 /// What the summary says of the repeated run: the same fence, run here with the faster rocks. Stiffness is proportional
@@ -245,6 +263,7 @@ void run(Findings& findings, const Setup& setup) {
                 "times that as a walk for the sums of 400 terms");
   }
   check_codes(folder, runs[1], findings);
+  check_print(runs, findings, setup);
   if (setup.needs("step too long")) check_repair(folder, findings, setup);
 }
 
@@ -281,6 +300,8 @@ Case definition() {
                   "history.csv: overlaps from positions, largest error"},
                  {"state_one_late", "states of the geometry compared with the next row",
                   "geometry: points over the span, largest error"},
+                 {"idle_cables", "no energy in the cables at the end",
+                  "printed summary: lines that differ from summary.json"},
                  {"survey_foot", "lengths converted by the survey foot, 1200/3937 m",
                   "sheet.json: numbers, largest error"}},
       .seconds = 3.0,

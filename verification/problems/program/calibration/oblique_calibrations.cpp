@@ -291,18 +291,23 @@ void compare_refusals(const Program& program, Differences& differ) {
     const ProgramEnd end = program.end({"calibrate"}, joined(base, wrong.options));
     differ.ended("refusal: " + wrong.message, end, 2, wrong.message);
   }
-  // A small sphere on a large one: the overlap of the elastic impact, v sqrt(m/k), is 0.6 of the smaller radius.
+  // A small sphere on a large one, and the large one on it: the overlap of the elastic impact, v sqrt(m/k), is 0.6 of
+  // the smaller radius.
   constexpr double mass = 0.01 / 1.01, stiffness = 1e4, radius = 0.01;
   const double speed = 0.6 * radius * std::sqrt(stiffness / mass) / std::cos(std::numbers::pi / 18.0);
-  const ProgramEnd deep = program.end({"calibrate"}, {{"--masses", {"1 kg", "0.01 kg"}},
-                                                      {"--stiffness", {fmt::format("{} N/m", stiffness)}},
-                                                      {"--restitution", {"1"}},
-                                                      {"--spheres", {"10 cm", fmt::format("{} m", radius)}},
-                                                      {"--speed", {fmt::format("{} m/s", speed)}},
-                                                      angle,
-                                                      friction});
-  differ.ended("refusal: overlap of the smaller sphere", deep, 2,
-               "the largest overlap would be 0.6 times the radius; it must be at most 0.5");
+  std::vector<std::string> masses{"1 kg", "0.01 kg"}, spheres{"10 cm", fmt::format("{} m", radius)};
+  for (const char* const which : {"second", "first"}) {
+    const ProgramEnd deep = program.end({"calibrate"}, {{"--masses", masses},
+                                                        {"--stiffness", {fmt::format("{} N/m", stiffness)}},
+                                                        {"--restitution", {"1"}},
+                                                        {"--spheres", spheres},
+                                                        {"--speed", {fmt::format("{} m/s", speed)}},
+                                                        angle,
+                                                        friction});
+    differ.ended(fmt::format("refusal: overlap of the smaller sphere, the {} one", which), deep, 2,
+                 "the largest overlap would be 0.6 times the radius; it must be at most 0.5");
+    std::ranges::reverse(masses), std::ranges::reverse(spheres);
+  }
 }
 
 void expect_all(Findings& findings, const Worst& worst) {

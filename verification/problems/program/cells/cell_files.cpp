@@ -14,6 +14,7 @@
 #include "verification/check/case.hpp"
 #include "verification/problems/program/cells/cell_results.hpp"
 #include "verification/problems/program/cells/contacting_cells.hpp"
+#include "verification/problems/program/cells/last_rows.hpp"
 #include "verification/problems/program/cells/reference_cell.hpp"
 #include "verification/problems/program/cells/written_cells.hpp"
 #include "verification/record/csv.hpp"
@@ -374,6 +375,7 @@ void run(Findings& findings, const Setup& setup) {
   const Json summary = records::read_json(folder.path() / "out/summary.json");
   check_summary(Node{summary, "summary.json"}, expected, before, ended, findings, setup);
   if (setup.needs("of cells")) check_written_cells(folder, findings, setup);
+  if (setup.needs("last rows")) check_last_rows(folder, findings, setup);
   if (setup.needs("whose discs touch")) check_contacting_cells(folder, findings, setup);
   if (setup.needs("mirrored"))
     check_mirrored(folder, before, Node{summary, "summary.json"}.at("results"), findings, setup);
@@ -407,7 +409,9 @@ Case definition() {
           .source =
               "Lacy 1989, Data Input and Parameters (files, stresses), Virtual Elements and Periodic Boundaries "
               "(reference)",
-          .faults = {{"faster_block", "a block too fast by a factor of 1 + 1e-7",
+          .faults = {{"whole_loops", "a cell that ends with a whole LOOP, compared with one that ends a step later",
+                      "last rows and steadiness of cells: values that differ"},
+                     {"faster_block", "a block too fast by a factor of 1 + 1e-7",
                       "history.csv: means over each LOOP, largest error"},
                      {"started_later", "an elapsed time in RESTART.DAT too long by 1e-9 s",
                       "cell.pvd: positions, velocities, radii and walls of discs, largest error"},

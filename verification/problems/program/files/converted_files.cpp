@@ -268,6 +268,17 @@ void compare_values(const std::string& first, const std::string& second, Changes
     changes.keys.push_back(key);
 }
 
+/// The title of a deck, with the signs that TOML escapes.
+void check_title(const TemporaryFolder& folder, Findings& findings) {
+  const std::string title = R"(slope \N of "Mile 9", rock 'B')";
+  std::string deck = records::read_whole(case_file("fence/table_2.DAT"));
+  folder.write("title.DAT", deck.replace(0, deck.find('\n'), title));
+  (void)talus_output(folder, {"convert", "title.DAT", "title.toml"});
+  const Json summary = Json::parse(talus_output(folder, {"run", "title.toml", "--end", "0.1 ms", "--json"}));
+  findings.expect_true("title of a deck with quotes and a backslash", summary.at("title").get<std::string>() == title,
+                       "the title of the converted scene, as read from it");
+}
+
 /// Fences that a deck cannot express are refused, and no deck is written.
 void check_refused_decks(const TemporaryFolder& folder, Findings& findings) {
   const std::string text = records::read_whole(case_file("fence/table_2.toml")) + "[fence.options]\n",
@@ -459,6 +470,13 @@ void check_lammps(const TemporaryFolder& folder, Findings& findings, const Setup
   compare(run, "variable shear equal -f_guide2[1]/", {area}),
       compare(run, "variable normal equal f_guide2[2]/", {area});
   compare(run, "print \"means after step", {0.25 * 0.1 / step});
+  // A line each 5 ms, as in the history of the cell; contacts are sampled each 100 steps, first after the start-up.
+  constexpr double line = 5e-3 / step, sampled = 100.0;
+  compare(run, "fix stress all ave/time", {1.0, line, line}), compare(run, "\nthermo ", {line});
+  compare(run, "fix contact all ave/time", {sampled, line / sampled, line});
+  const double first = 0.25 * 0.1 / step + sampled;
+  compare(run, "fix mean_stress all ave/time", {1.0, 1.0, 1.0, first});
+  compare(run, "fix mean_contact all ave/time", {sampled, 1.0, sampled, first});
   findings.expect("in.discs: step, steps, weight of the block and area of the stresses, largest relative error", run,
                   0.0, round_off);
 
@@ -575,6 +593,7 @@ void run(Findings& findings, const Setup& setup) {
   const TemporaryFolder folder;
   if (setup.needs("of the scene")) check_deck(folder, findings, setup);
   if (setup.needs("values")) check_fields(folder, findings, setup);
+  if (setup.needs("title")) check_title(folder, findings);
   if (setup.needs("cannot express")) check_refused_decks(folder, findings);
   if (setup.needs("follow from")) check_derived(folder, findings);
   if (setup.needs("rock")) check_after(folder, findings, setup), check_after_break(folder, findings);

@@ -389,11 +389,13 @@ void check_files(Findings& findings, const Setup& setup) {
   differences.compare("summary.json", with, without);
   differences.expect_none(findings, "files that differ without the table",
                           "the table is computed from the observed states; it changes neither steps nor other files");
-  // Interruptions in the middle of both impacts, and in the last state in which the puck touches: nothing acts in the
-  // first state after it, in which its impact ends.
+  // Interruptions in the middle of both impacts; in the last state in which the puck touches: nothing acts in the first
+  // state after it, in which its impact ends; and in the last state before either touches.
+  const double before = std::floor(std::min(expected_row(ball).touch, expected_row(puck).touch) / state_step);
   const double last = std::floor(expected_row(puck).numbers.at("separation_time") / state_step);
   bool same = true;
-  for (const auto& [out, state, acting] : {std::tuple{"halves", 100.0, 2.0}, std::tuple{"ending", last, 1.0}}) {
+  for (const auto& [out, state, acting] :
+       {std::tuple{"halves", 100.0, 2.0}, std::tuple{"ending", last, 1.0}, std::tuple{"before", before, 0.0}}) {
     (void)talus_output(folder, {"run", setup.has("another_scene_resumed") ? "other.toml" : "scene.toml", "--impacts",
                                 "--out", out, "--until", fmt::format("{} s", state * state_step)});
     double act = 0.0;
@@ -402,8 +404,10 @@ void check_files(Findings& findings, const Setup& setup) {
     (void)talus_output(folder, {"run", "--resume", out});
     same = same && act == acting && folder.read("out/impacts.csv") == folder.read(fmt::format("{}/impacts.csv", out));
   }
-  findings.expect_true("the same table after an interruption", same,
-                       "byte-identical; both contacts act at one interruption, only the puck's at the other, its last");
+  findings.expect_true(
+      "the same table after an interruption", same,
+      "byte-identical; both contacts act at one interruption, only the puck's at another, its last, and none "
+      "at one just before the first");
 }
 
 // --- A half model ---------------------------------------------------------------------------------------------------

@@ -166,6 +166,12 @@ void check_advised_scenes(const Program& program, Differences& differ) {
                number_after(text, "\nhistory_every = ") == std::round(steps / 4.0));
   differ.holds("advise: states of an advised fence at the same times",
                number_after(text, "\nprint_every = ") == std::round(steps / 2.0));
+  // A method with step control: the advised scene of a fence has the tolerance of the advice, and costs what it says.
+  const Json controlled = program.json({"advise", "kicked.toml", "--accuracy", "1e-3", "--of", "rock.vx.end", "--among",
+                                        "stormer_cowell", "--out", "controlled.toml", "--json"});
+  differ.compare("advise: evaluations of an advised fence with step control",
+                 program.json({"run", "controlled.toml", "--json"}).at("evaluations"),
+                 controlled.at("advice").at("evaluations"));
   // The lowest velocity is -A omega, once in the run; outputs need only resolve it.
   const ProgramEnd minimum = program.end({"advise", "plain.toml", "--accuracy", "1e-2", "--of", "hung.vy.min",
                                           "--among", "stormer_cowell", "--out", "lowest.toml", "--json"});

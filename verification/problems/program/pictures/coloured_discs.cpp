@@ -43,7 +43,7 @@ std::vector<DiscState> disc_states(const std::vector<GeometryState>& states, Dis
     DiscState& now = found.emplace_back(DiscState{.time = state.time, .discs = {}});
     for (std::size_t i = 0; i < id.size(); ++i) {
       const double speed = std::hypot(velocity.at(3 * i), velocity.at(3 * i + 1));
-      now.discs.push_back({points.at(3 * i), points.at(3 * i + 1), wall.at(i) != 0.0,
+      now.discs.push_back({static_cast<int>(id.at(i)), points.at(3 * i), points.at(3 * i + 1), wall.at(i) != 0.0,
                            value == DiscValue::speed ? speed : values.at(disc_of(i))});
     }
   }
@@ -89,6 +89,23 @@ ColourErrors colour_errors(const Picture& picture, const std::vector<DiscState>&
     }
   }
   return errors;
+}
+
+bool marks_are_numbers(const Picture& picture, const std::vector<DiscState>& states, double period) {
+  bool agree = !picture.panels.empty();
+  for (const Panel& panel : picture.panels) {
+    std::size_t discs = 0;
+    for (const DiscState::Disc& disc : state_of(panel, states).discs) {
+      if (disc.number < 0) continue;
+      ++discs;
+      const auto mark = panel.marks.find(std::to_string(disc.number));
+      if (mark == panel.marks.end()) return false;
+      const double across = mark->second[0] - disc.x, up = mark->second[1] - disc.y;
+      agree = agree && std::hypot(across - period * std::round(across / period), up) < 1e-4 * period;
+    }
+    agree = agree && panel.marks.size() == discs;
+  }
+  return agree;
 }
 
 Bars contact_bars(const Picture& picture) {

@@ -15,6 +15,7 @@ enum class DiscValue { speed, force };
 /// A cell in one state: positions of its discs and images, and the values that colour them.
 struct DiscState {
   struct Disc {
+    int number{};  ///< of an image: that of its disc, negative
     double x{}, y{};
     bool wall{};
     double value{};  ///< speed [L/T], or sum of the forces of its contacts [F]
@@ -38,6 +39,10 @@ struct ColourErrors {
 /// scale is made, of one picture or of all frames of a film. `period`: of the cell along x [L]. A disc that is drawn
 /// where there is none, or in a colour that is not on the bar, gives NaN.
 [[nodiscard]] ColourErrors colour_errors(const Picture& picture, const std::vector<DiscState>& states, double period);
+
+/// Whether all panels have a mark for each disc in their window, with the disc's number at its centre, and no other
+/// marks. `period`: of the cell along x [L].
+[[nodiscard]] bool marks_are_numbers(const Picture& picture, const std::vector<DiscState>& states, double period);
 
 /// Bars of contacts in a picture and their edges: all that has four corners.
 struct Bars {

@@ -12,12 +12,11 @@
 #include <vector>
 
 #include "verification/check/case.hpp"
-#include "verification/check/case_file.hpp"
 #include "verification/problems/program/pictures/coloured_discs.hpp"
+#include "verification/problems/program/pictures/drawn_fence.hpp"
 #include "verification/problems/program/pictures/picture_script.hpp"
 #include "verification/record/csv.hpp"
 #include "verification/record/json_node.hpp"
-#include "verification/record/whole_file.hpp"
 #include "verification/reference/motion/constant_force.hpp"
 #include "verification/study/findings/expectations.hpp"
 #include "verification/study/program/program_options.hpp"
@@ -288,6 +287,33 @@ double check_default_histories(const Pictures& program, Differences& differ) {
   return worst;
 }
 
+/// Angle and spin of a body by their names and codes of 1993.
+void check_turning(const Pictures& program, Differences& differ) {
+  constexpr double angle = 0.25, spin = 3.0;
+  program.folder().write(
+      "turning.toml",
+      fmt::format(
+          "units = \"SI\"\n[[body]]\nname = \"wheel\"\nmobility = \"free\"\nmass = \"1 kg\"\n"
+          "inertia = \"1 kg m^2\"\nposition = [\"0 m\", \"0 m\"]\nangle = \"{} rad\"\nspin = \"{} rad/s\"\n[run]\n"
+          "integrator = \"velocity_verlet\"\nstep = \"0.1 s\"\nend = \"1 s\"\n"
+          "interval = \"0.1 s\"\n",
+          angle, spin));
+  (void)talus_output(program.folder(), {"run", "turning.toml", "--out", "turning"});
+  for (const auto& [asked, rate] :
+       {std::pair{"theta", spin}, std::pair{"omega", 0.0}, std::pair{"angle", spin}, std::pair{"spin", 0.0}}) {
+    (void)program.run({"plot", "turning"}, {{"--history", {asked}}, {"--format", {"svg"}}, {"--name", {"asked"}}});
+    const Picture drawn = program.picture("turning/plots/asked.svg");
+    const std::string item = fmt::format("plot: history {}", asked);
+    const bool one =
+        drawn.panels.size() == 1 && drawn.panels[0].curves.size() == 1 && drawn.panels[0].curves[0].lines.size() == 1;
+    differ.holds(item, one);
+    if (!one) continue;
+    differ.compare(item + ", points", drawn.panels[0].curves[0].lines[0].size(), 11UL);
+    for (const Point& point : drawn.panels[0].curves[0].lines[0])
+      differ.holds(item + ", values", std::abs(point[1] - (rate > 0.0 ? angle + rate * point[0] : spin)) < 1e-7);
+  }
+}
+
 /// The list of what can be drawn against the columns of history.csv.
 void check_list(const Pictures& program, Differences& differ) {
   const records::Csv history = records::read_csv(program.folder().path() / "out/history.csv");
@@ -404,28 +430,6 @@ double check_snapshots(const Pictures& program, Differences& differ) {
   return worst;
 }
 
-/// The model is half of a fence; seen along it, all parts have their mirror images, up to both anchors. The rock in the
-/// middle, which turns, is the only part with an outline of more points than a rectangle.
-void check_half_fence(const Pictures& program, Differences& differ) {
-  constexpr double half_span = 27.5;
-  program.folder().write("half.DAT", records::read_whole(case_file("fence/sample2.DAT")));
-  (void)talus_output(program.folder(), {"run", "half.DAT", "--end", "1 ms", "--out", "half"});
-  (void)program.run({"snapshot", "half"}, {{"--view", {"along"}}, {"--count", {"1"}}, {"--format", {"svg"}}});
-  const Picture picture = program.picture("half/plots/snapshot_along.svg");
-  differ.compare("half fence: panels", picture.panels.size(), 1UL);
-  if (picture.panels.size() != 1) return;
-  const Panel& panel = picture.panels.front();
-  std::set<Point> points, images;
-  for (const Curve& curve : panel.curves)
-    for (const std::vector<Point>& line : curve.lines)
-      for (std::size_t i = 0; i < line.size() && line.size() <= 5; ++i)
-        points.insert(line[i]), images.insert({-line[i][0], line[i][1]});
-  differ.holds("half fence: mirror images", points == images);
-  differ.holds("half fence: both anchors", !points.empty() && (*points.rbegin())[0] == half_span);
-  const Numbers& window = panel.x_range;
-  differ.holds("half fence: window", window.size() == 2 && window[0] == -window[1] && window[1] > half_span);
-}
-
 double check_animations(const Pictures& program, Differences& differ) {
   constexpr double seconds = 3.0;
   const Numbers window{-1.0, -5.0, 12.0, 5.0};
@@ -535,6 +539,10 @@ double check_colours(const Pictures& program, Differences& differ, const Setup& 
   const std::string speed = "speed of a disc [m/s]", force = "sum of the contact forces on a disc [N]";
   const Picture plain = program.picture("flow/plots/plain_side.svg");
   const Picture by_force = program.picture("flow/plots/snapshot_side.svg");
+  (void)program.run({"snapshot", "flow"},
+                    {{"--numbers", {}}, {"--count", {"1"}}, {"--format", {"svg"}}, {"--name", {"named"}}});
+  const Picture named = program.picture("flow/plots/named_side.svg");
+  differ.holds("colours: number of each disc", marks_are_numbers(named, speeds, cell_width));
   compare(plain, speed, shown_states(plain, speeds)), compare(by_force, force, shown_states(by_force, forces));
   const std::string film = program.text("flow/plots/animation.gif"), page = program.text("flow/plots/animation.html");
   const std::vector<std::string> frames = pages(film);
@@ -568,8 +576,9 @@ void run(Findings& findings, const Setup& setup) {
   double curves = check_chosen_histories(program, plots);
   keep_worst(curves, check_default_histories(program, plots));
   check_list(program, plots);
+  if (setup.fault.empty()) check_turning(program, plots);
   double drawn = check_snapshots(program, states);
-  if (setup.fault.empty()) check_half_fence(program, states);
+  if (setup.fault.empty()) check_half_fence(program.folder(), states);
   keep_worst(drawn, check_animations(program, films));
   if (setup.fault.empty()) check_long_history(program, films);
   const double colours = check_colours(program, states, setup);

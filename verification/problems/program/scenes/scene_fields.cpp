@@ -12,6 +12,7 @@
 
 #include "verification/check/case.hpp"
 #include "verification/problems/program/scenes/moving_scene.hpp"
+#include "verification/problems/program/scenes/refused_scenes.hpp"
 #include "verification/record/csv.hpp"
 #include "verification/record/json_node.hpp"
 #include "verification/reference/impacts/restitution.hpp"
@@ -496,6 +497,8 @@ void run(Findings& findings, const Setup& setup) {
   if (setup.needs("first row")) check_placed(folder, findings, setup);
   if (setup.needs("final state")) check_moving(folder, findings, setup);
   if (setup.needs("rules")) check_watch(folder, findings, setup);
+  if (setup.needs("refused")) check_refused(folder, findings, setup);
+  if (setup.needs("without a shape")) check_lines(folder, findings);
 }
 
 }  // namespace
@@ -515,6 +518,8 @@ Case definition() {
                   "first row of the history: motion, overlaps, forces and energies, largest error"},
                  {"no_hardening", "a yielding cable without hardening",
                   "final state: plastic elongations, positions and velocities, largest error"},
+                 {"round_outlines", "an exponent that is accepted in place of one that is refused",
+                  "scenes on both sides of what is refused: verdicts that differ"},
                  {"rules_left_out", "runs without their rules", "runs whose rules of the monitor have another effect"}},
       .run = run};
 }
