@@ -1,6 +1,7 @@
 #include <random>
 
 #include "solver/cell/block_means.hpp"
+#include "solver/cell/cell_profile.hpp"
 #include "solver/study/shear_study.hpp"
 #include "verification/problems/cell/cell_runs.hpp"
 #include "verification/study/toolkit.hpp"
@@ -289,9 +290,36 @@ void expect_undefined_draws(Findings& findings) {
                                    "draws without a value it would be smaller by a fifth"));
 }
 
+/// A layer that one block of time alone has seen: without it nothing is known of the layer, so that it does not add to
+/// the error. The layer below has discs with the velocities 1 and 2 in turn.
+void expect_rare_layers(Findings& findings) {
+  constexpr std::size_t blocks = CellProfile::blocks;
+  CellProfile profile{1.0, 1.0, 0.0, static_cast<double>(blocks)};
+  const auto disc = [](double y, double speed) {
+    return CellProfile::Disc{.y = y, .vx = speed, .vy = 0.0, .radius = 0.25, .mass = 1.0, .spin = 0.0};
+  };
+  for (std::size_t k = 0; k < blocks; ++k) {
+    profile.look(static_cast<double>(k) + 0.5, 1.0);
+    profile.add(disc(0.5, k % 2 == 0 ? 1.0 : 2.0));
+    if (k == 3) profile.add(disc(1.5, 5.0));
+  }
+  const auto layers = profile.layers();
+  const bool two = layers.size() == 2;
+  findings.expect_true("layers of a profile, of which one is seen in a single block", two, "two heights");
+  if (!two) return;
+  findings.expect_round_off("velocity of a layer seen in a single block", layers[1].velocity.value, 5.0, 1e-14,
+                            "the disc's own", "m/s");
+  findings.expect_round_off("error of the velocity of a layer seen in a single block", layers[1].velocity.error, 0.0,
+                            1e-14, "no other block gives another value", "m/s");
+  // Jackknife of ten values of 1 and 2: the standard error of their mean, 0.5 sqrt(1/9).
+  findings.expect_round_off("error of the velocity of a layer seen in all blocks", layers[0].velocity.error, 0.5 / 3.0,
+                            1e-14, "ten values of deviation 0.5: 0.5/sqrt(10 - 1)", "m/s");
+}
+
 void run(Findings& findings, const Setup& setup) {
   expect_coverage(findings, setup);
   expect_undefined_draws(findings);
+  if (setup.needs("layer")) expect_rare_layers(findings);
   if (setup.needs("verdict")) expect_unequal_seeds(findings);
   if (setup.needs("study: ")) expect_study(findings, setup);
   if (setup.needs("verdicts")) expect_verdicts(findings, setup);

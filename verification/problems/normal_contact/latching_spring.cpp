@@ -222,6 +222,12 @@ void check_growth(Findings& findings, const Setup& setup) {
     law.set_restitution(e, 1.0, speed);
     const double k2 = law.unloading_stiffness;
     keep_worst(given, reference::latching_events({1.0, k2, law.growth, 1.0, speed}).restitution / e - 1.0);
+    // A stiffness and a mass other than 1.
+    law.stiffness = 3.0;
+    law.set_restitution(e, 2.0, speed);
+    keep_worst(
+        given,
+        reference::latching_events({3.0, law.unloading_stiffness, law.growth, 2.0, speed}).restitution / e - 1.0);
   }
   findings.expect_round_off(
       "closed-form e of a growing K2 that is set for e = 0.6, three speeds, largest relative error", given, 0.0, 1e-15,

@@ -195,8 +195,14 @@ void check_segments(Findings& findings) {
     body.p_WB = ground.p_WB + ground.R_WB * (0.5 * (points[i] + points[i + 1]) + (radius - depth) * normal);
     keep_worst(worst, penetration(Circle{radius}, body, Terrain{points}, ground) - depth);
   }
-  findings.expect_round_off({"each_segment", "overlap of a disc with each segment of a valley, largest error"}, worst,
-                            0.0, 4e-15, "positions of 3 m, rounded to 2.2e-16, turned twice: eight roundings", "m");
+  // A plane that is displaced and turned.
+  Pose plane, disc;
+  plane.p_WB = {3.0, -2.0}, plane.R_WB = rotation(0.2);
+  disc.p_WB = plane.p_WB + plane.R_WB * Vec2{0.7, radius - depth};
+  keep_worst(worst, penetration(Circle{radius}, disc, HalfPlane{}, plane) - depth);
+  findings.expect_round_off(
+      {"each_segment", "overlap of a disc with each segment of a valley and with a plane, largest error"}, worst, 0.0,
+      4e-15, "positions of 3 m, rounded to 2.2e-16, turned twice: eight roundings", "m");
 }
 
 void run_all(Findings& findings, const Setup& setup) {

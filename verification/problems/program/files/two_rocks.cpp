@@ -273,6 +273,14 @@ void check_alone(const TemporaryFolder& folder, const std::string& deck, Finding
   const std::string listing = folder.read("alone/alone.OUT"), of_both = folder.read("out/fence.OUT");
   differences.holds("states of the listing", listing.find("time = .993E-02 secs") != std::string::npos);
   differences.compare("listing in metres", folder.read("alone_in_metres/alone_in_metres.OUT"), listing);
+  // A run that ends as the rock leaves, after 19 of 20 steps and between two printed states, lists its last state.
+  std::string leaving = text;
+  replace(leaving, "[\"4 ft\", \"-1.3 ft\"]", "[\"6 ft\", \"30 ft\"]"), replace(leaving, "-65 ft/s", "-100 ft/s");
+  folder.write("leaving.toml", leaving + "\n[fence.options]\nend = \"exit\"\nexit_x = \"5.815 ft\"\n");
+  (void)talus_output(folder, {"run", "leaving.toml", "--out", "leaving", "--integrator", "velocity_verlet", "--step",
+                              "0.1 ms", "--end", "2 ms"});
+  differences.holds("state of a stop in the listing",
+                    folder.read("leaving/leaving.OUT").find("time = .190E-02 secs") != std::string::npos);
   const auto line = [](const std::string& of, const std::string& begin) {
     const std::size_t at = of.find(begin);
     return at == std::string::npos ? "no line" : of.substr(at, of.find('\n', at) - at);

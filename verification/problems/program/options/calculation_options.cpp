@@ -410,6 +410,8 @@ void check_other_commands(const Program& program, Differences& differ) {
     const std::string script = run_talus(program.folder(), {"completion", shell}).output;
     for (const std::string word : {"calibrate", "sweep", "collect", "restitution"})
       differ.contains("completion by " + shell + ": " + word, script, word);
+    differ.compare("completion by " + shell + ": braces", std::ranges::count(script, '{'),
+                   std::ranges::count(script, '}'));
   }
   differ.compare("completion by another shell", run_talus(program.folder(), {"completion", "csh"}).exit_code, 2);
   for (const std::string command : {"run", "check", "advise", "calibrate", "cell", "completion", "convert", "export",

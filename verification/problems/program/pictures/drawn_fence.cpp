@@ -48,9 +48,9 @@ void check_outlines(const Panel& panel, Differences& differ) {
         differ.holds("half fence: rock in the middle", near(middle, 0.0));
         // Its outline has 96 corners.
         const double corner = rock_radius * (1.0 - std::cos(std::numbers::pi / 96.0)) + digits;
-        differ.holds("half fence: radius of the rock",
-                     std::abs(half - rock_radius) < corner &&
-                         std::abs(0.5 * (extent.high - extent.low) - rock_radius) < corner);
+        differ.holds(
+            "half fence: radius of the rock",
+            std::abs(half - rock_radius) < corner && std::abs(0.5 * (extent.high - extent.low) - rock_radius) < corner);
         continue;
       }
       for (const Point& point : line)

@@ -263,6 +263,7 @@ double growth(const TemporaryFolder& folder, const std::string& text) {
 /// Output of `check`: the longest step, its verdict on the scene's step, and whether it warns of this step.
 struct Verdict {
   double limit{};
+  double ratio{};  ///< of the scene's step to it
   bool too_long{};
   bool warns{};
 };
@@ -272,8 +273,12 @@ Verdict verdict(const TemporaryFolder& folder, const std::string& text) {
   const std::string& printed = ended.output;
   const std::string expected = "a step of ";
   const std::size_t at = printed.find(expected);
-  if (at == std::string::npos) return {std::numeric_limits<double>::quiet_NaN(), false, false};
-  return {std::stod(printed.substr(at + expected.size())), printed.find("TOO LONG") != std::string::npos,
+  if (at == std::string::npos) return {std::numeric_limits<double>::quiet_NaN(), 0.0, false, false};
+  const std::string of_it = "the step is ";
+  const std::size_t ratio = printed.find(of_it, at);
+  return {std::stod(printed.substr(at + expected.size())),
+          ratio == std::string::npos ? 0.0 : std::stod(printed.substr(ratio + of_it.size())),
+          printed.find("TOO LONG") != std::string::npos,
           ended.messages.find("may grow without bound") != std::string::npos};
 }
 
@@ -476,6 +481,9 @@ void run(Findings& findings, const Setup& setup) {
       keep_worst(printed, below.limit / longest - 1.0);
       wrong_checks += (below.too_long ? 1.0 : 0.0) + (beyond.too_long ? 0.0 : 1.0);
       wrong_checks += (below.warns ? 1.0 : 0.0) + (beyond.warns ? 0.0 : 1.0);
+      // Four digits are printed.
+      wrong_checks +=
+          (std::abs(below.ratio - 0.999) < 1e-4 ? 0.0 : 1.0) + (std::abs(beyond.ratio - 1.001) < 6e-4 ? 0.0 : 1.0);
       if (!method.grows_fast) continue;
       folder.write("watched.toml", scene_text(scene, method, 0.999 * longest, true));
       wrong_runs += run_talus(folder, {"run", "watched.toml"}).exit_code != diverged ? 0.0 : 1.0;
