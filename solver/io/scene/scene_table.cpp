@@ -343,7 +343,7 @@ std::vector<std::string> SceneTable::texts(std::string_view key, std::size_t cou
 }
 
 std::string SceneTable::choice(std::string_view key, const std::vector<std::string>& known) {
-  const std::string name = text(key);
+  std::string name = text(key);
   if (std::find(known.begin(), known.end(), name) != known.end()) return name;
   fail(key,
        fmt::format("found \"{}\"; nearest: {}; known: {}", name, nearest_name(name, known), fmt::join(known, ", ")));

@@ -274,7 +274,43 @@ void expect_jump(Findings& findings, const Setup& setup) {
       jumping.steps(), jumping.jumped(), jumping.steps() / std::max(1L, jumping.steps() - jumping.jumped())));
 }
 
+/// The block of a cell that is read from RESTART.DAT lies on the disc that it meets first, also on one that it meets
+/// across the border of the field: the highest disc is put at positions all over the field.
+void expect_laid_block(Findings& findings, const Setup& setup) {
+  const ShearCell cell = ice_cell(8e3, 5e3);
+  FilledCell filled = fill(cell);
+  Discs& discs = filled.discs;
+  const double diameter = cell.diameter, width = cell.width(), height = 40.0 * diameter;
+  double worst = 0.0, across = 0.0;
+  constexpr int places = 97;
+  for (int n = 0; n < places; ++n) {
+    discs.x[0] = width * ((n + 0.5) / places - 0.5), discs.y[0] = height;
+    discs.t = 0.15 * (n % 7) * diameter / std::abs(cell.block_speed);  // the block has moved by a part of a diameter
+    const CellRestart read = read_cell_restart(cell_restart_text(cell, discs, 0), "RESTART.DAT", cell);
+    const Discs& start = read.start.discs;
+    // The nearest disc of the block along x, of which images are in both neighbouring fields.
+    double nearest = width;
+    bool is_image = false;
+    for (std::size_t j = first_block_disc(cell); j < start.size(); ++j) {
+      for (const double image : {0.0, -width, width}) {
+        const double distance = std::abs(start.x[j] + image - discs.x[0]);
+        if (distance < nearest) nearest = distance, is_image = image != 0.0;
+      }
+    }
+    across += is_image ? 1.0 : 0.0;
+    const double exact =
+        height + (setup.has("block_on_top") ? diameter : std::sqrt(diameter * diameter - nearest * nearest));
+    keep_worst(worst, (start.y[first_block_disc(cell)] - exact) / diameter);
+  }
+  findings.expect({"laid_block", "height of the block on a disc anywhere in the field, worst error over the diameter"},
+                  worst, 0.0,
+                  Tolerance::round_off(1e-13, "heights of 40 diameters, rounded to 1e-14 of one; ten of them"));
+  findings.expect_between("positions at which the block lies on the disc across the border", across, 1.0, 10.0,
+                          "a disc of the block is half a diameter away at most, of 11 in the field");
+}
+
 void run(Findings& findings, const Setup& setup) {
+  if (setup.needs("of the block") || setup.needs("the block lies")) expect_laid_block(findings, setup);
   if (setup.needs("against virtual discs and all pairs")) expect_virtual(findings, setup);
   if (setup.needs("positions of rough discs")) expect_own_virtual(findings, setup);
   if (setup.needs("mirrored cell")) expect_mirror(findings, setup);
@@ -294,7 +330,8 @@ Case definition() {
       .main_checks = {"virtual_discs", "rough_virtual_discs", "mirrored_impulse", "mirrored_heights",
                       "bit-identical final state of a resumed run", "jumps"},
       .source = "Lacy 1989, Virtual Elements and Periodic Boundaries",
-      .faults = {{"field_too_wide", "virtual discs too far away by 1e-7 of the field width", "virtual_discs"},
+      .faults = {{"block_on_top", "a block a diameter above the disc, wherever it is", "laid_block"},
+                 {"field_too_wide", "virtual discs too far away by 1e-7 of the field width", "virtual_discs"},
                  {"latch_weaker", "K2 of the reference smaller by the fraction 1e-9", "virtual_discs"},
                  {"friction_less", "friction coefficient of the cell with virtual discs smaller by the fraction 1e-8",
                   "rough_virtual_discs"},
