@@ -178,6 +178,36 @@ void expect_stripes(Findings& findings, const Setup& setup, Numbering numbering)
   }
 }
 
+/// Many discs thrown together, run by two threads: each of the stripes has more pairs than are swept at a time.
+void expect_many_pairs(Findings& findings) {
+  constexpr int side = 60;
+  const LinearSpringDashpot law{1e4, 8.0};
+  DiscShapes shapes;
+  Discs discs;
+  for (int i = 0; i < side * side; ++i) {
+    shapes.add(radius, 1.0);
+    const double x = 1.01 * (i % side), y = 1.01 * (i / side);
+    discs.add(x, y, 0.5 * std::sin(3.0 * i), 0.5 * std::cos(7.0 * i));
+  }
+  const PeriodicBox box{.width = 1.01 * side, .height = 1.01 * side};
+  constexpr double h = 1e-3;
+  constexpr long steps = 40;
+  Discs of_plain = discs, of_fast = discs;
+  FastDiscSystem fast{shapes, box, law, 0.3, CoulombFriction{0.0, 1e3}, 2};
+  DiscSystem plain{shapes, box, law, 0.3, CoulombFriction{0.0, 1e3}};
+  plain.begin(of_plain), fast.begin(of_fast);
+  for (long n = 0; n < steps; ++n)
+    plain.kick(of_plain, h), plain.drift(of_plain, h);
+  fast.advance(of_fast, h, steps);
+  findings.count(plain.evaluations() + fast.evaluations());
+  double touching = 0.0;
+  plain.for_each_contact(of_plain, [&](const DiscContact& contact) { touching += contact.depth > 0.0 ? 1.0 : 0.0; });
+  findings.expect_between("contacts of 3600 discs after 40 steps", touching, 1000.0, 10000.0,
+                          "gaps of 0.01 close within 20 steps");
+  findings.expect_exact({"many_pairs", "values of 3600 discs that differ from the plain engine, 2 threads"},
+                        static_cast<double>(differing(of_fast, of_plain)), 0.0, "the same sums in the same order");
+}
+
 /// Oblique impact of two rough, spinning discs of different size and mass. The kinetic energy that they lose is
 /// compared with the energy dissipated by contacts, and the reported overlap and force of the contact with those
 /// computed from positions and velocities.
@@ -329,6 +359,7 @@ void run(Findings& findings, const Setup& setup) {
     expect_losses<FastDiscSystem<LinearSpringDashpot, CoulombFriction>>(findings, setup, "fast engine");
   }
   if (setup.needs("loop over all pairs")) expect_edges(findings, setup);
+  if (setup.needs("3600 discs")) expect_many_pairs(findings);
   if (setup.needs("periodic boxes")) expect_narrow_boxes(findings);
   if (setup.needs("threads")) {
     expect_stripes(findings, setup, Numbering::by_rows);
