@@ -278,6 +278,7 @@ void check_numbers(Findings& findings, const Setup& setup) {
       if (!is_column(body)) continue;
       const Contact& contact = model.contacts[index(*find_contact(model, body.name + "-ground"))];
       keep_worst(ground, contact.multiplicity - body.multiplicity);
+      keep_worst(ground, contact.nodes[0] - 4.0 * (fence.column.points - 1));
       keep_worst(ground, std::get<LinearSpringDashpot>(contact.law).stiffness /
                                  (2.0 * body.mass * speed * speed / (overlap * overlap)) -
                              1.0);
