@@ -2,6 +2,9 @@
 #include <numbers>
 #include <variant>
 
+#include "solver/base/error.hpp"
+#include "solver/laws/hertz_impact.hpp"
+#include "solver/laws/hunt_crossley_impact.hpp"
 #include "solver/scenes/bouncing_disc.hpp"
 #include "verification/reference/impacts/hertz_impact.hpp"
 #include "verification/reference/impacts/power_law_impact.hpp"
@@ -385,7 +388,30 @@ void check_torn_contact(Findings& findings, const Setup& setup) {
                             "takes 5/2 relative to 0.3");
 }
 
+/// A restitution is accepted up to 1, and above 0.
+void check_limits(Findings& findings) {
+  double wrong = 0.0;
+  for (const auto& [e, accepted] : {std::pair{1.0, true}, {1e-3, true}, {0.0, false}, {-0.1, false}, {1.001, false}}) {
+    for (const bool hertz : {true, false}) {
+      bool refused = false;
+      try {
+        if (hertz) {
+          (void)hertz_damping_ratio(e, HertzDashpot::tsuji, EndRule::clamped);
+        } else {
+          (void)hunt_crossley_damping_number(e);
+        }
+      } catch (const InputError&) {
+        refused = true;
+      }
+      wrong += refused == accepted ? 1.0 : 0.0;
+    }
+  }
+  findings.expect_exact("dashpots for a restitution at the limits that are wrongly accepted or refused", wrong, 0.0,
+                        "0.001 and 1 are accepted; 0, -0.1 and 1.001 are not");
+}
+
 void run(Findings& findings, const Setup& setup) {
+  if (setup.needs("at the limits")) check_limits(findings);
   if (setup.needs("restitution of")) check_targets(findings, setup);
   if (setup.needs("closed form")) check_closed_forms(findings);
   if (setup.needs("pulling formula")) check_pulling_formula(findings);
