@@ -178,8 +178,8 @@ void expect_stripes(Findings& findings, const Setup& setup, Numbering numbering)
   }
 }
 
-/// Many discs thrown together, run by two threads, whose numbers are scattered: more pairs of discs of both stripes than
-/// are swept at a time.
+/// Many discs thrown together, run by two threads, whose numbers are scattered: more pairs of discs of both stripes
+/// than are swept at a time.
 void expect_many_pairs(Findings& findings) {
   constexpr int side = 60;
   const LinearSpringDashpot law{1e4, 8.0};
@@ -187,8 +187,8 @@ void expect_many_pairs(Findings& findings) {
   Discs discs;
   for (int i = 0; i < side * side; ++i) {
     shapes.add(radius, 1.0);
-    const int place = 1009 * i % (side * side);
-    const double x = 1.01 * (place % side), y = 1.01 * (place / side);
+    const int site = 1009 * i % (side * side);
+    const double x = 1.01 * (site % side), y = 1.01 * (site / side);
     discs.add(x, y, 0.5 * std::sin(3.0 * i), 0.5 * std::cos(7.0 * i));
   }
   const PeriodicBox box{.width = 1.01 * side, .height = 1.01 * side};

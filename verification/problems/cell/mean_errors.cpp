@@ -239,8 +239,8 @@ void expect_verdicts(Findings& findings, const Setup& setup) {
                         "each verdict follows from both");
 }
 
-/// Points with two and with three seeds: only the mean of two scatters, so that the difference has one degree of freedom,
-/// and Student's distribution is Cauchy's.
+/// Points with two and with three seeds: only the mean of two scatters, so that the difference has one degree of
+/// freedom, and Student's distribution is Cauchy's.
 void expect_unequal_seeds(Findings& findings) {
   std::vector<StudyMean> study;
   const auto add = [&](const char* series, double load, const std::vector<double>& depths) {

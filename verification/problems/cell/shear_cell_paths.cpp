@@ -282,9 +282,9 @@ void expect_laid_block(Findings& findings, const Setup& setup) {
   Discs& discs = filled.discs;
   const double diameter = cell.diameter, width = cell.width(), height = 40.0 * diameter;
   double worst = 0.0, across = 0.0;
-  constexpr int places = 97;
-  for (int n = 0; n < places; ++n) {
-    discs.x[0] = width * ((n + 0.5) / places - 0.5), discs.y[0] = height;
+  constexpr int positions = 97;
+  for (int n = 0; n < positions; ++n) {
+    discs.x[0] = width * ((n + 0.5) / positions - 0.5), discs.y[0] = height;
     discs.t = 0.15 * (n % 7) * diameter / std::abs(cell.block_speed);  // the block has moved by a part of a diameter
     const CellRestart read = read_cell_restart(cell_restart_text(cell, discs, 0), "RESTART.DAT", cell);
     const Discs& start = read.start.discs;

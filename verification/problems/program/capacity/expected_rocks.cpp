@@ -86,7 +86,7 @@ void check_drawn_rocks(const Program& program, Differences& differ) {
     add(2, height, 4.6, 4.7);
   }
   differ.compare("drawn rocks", numbers[0].size(), std::size_t{runs});
-  // Four standard deviations of the mean and of the mean square of so many normal numbers, and of their products.
+  // Four standard deviations of the mean and of the mean square of n normal numbers, and of their products.
   const double bound = 4.0 / std::sqrt(static_cast<double>(runs));
   for (std::size_t a = 0; a < numbers.size(); ++a) {
     double mean = 0.0, square = 0.0;

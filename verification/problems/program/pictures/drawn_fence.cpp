@@ -77,9 +77,9 @@ void check_numbers(const Panel& panel, Differences& differ) {
   const std::map<std::string, double> expected{
       {"2", 0.0}, {"3 .. 12", 0.0}, {"5 .. 14", 2.0}, {"7 .. 16", 4.0}, {"9, 17", 6.0}};
   differ.compare("half fence: marks", panel.marks.size(), expected.size());
-  for (const auto& [text, place] : expected) {
+  for (const auto& [text, position] : expected) {
     const auto mark = panel.marks.find(text);
-    differ.holds("half fence: numbers " + text, mark != panel.marks.end() && near(mark->second[0], place * spacing));
+    differ.holds("half fence: numbers " + text, mark != panel.marks.end() && near(mark->second[0], position * spacing));
   }
 }
 

@@ -299,11 +299,12 @@ void check_turning(const Pictures& program, Differences& differ) {
           "interval = \"0.1 s\"\n",
           angle, spin));
   (void)talus_output(program.folder(), {"run", "turning.toml", "--out", "turning"});
-  for (const auto& [asked, rate] :
+  for (const auto& [requested, rate] :
        {std::pair{"theta", spin}, std::pair{"omega", 0.0}, std::pair{"angle", spin}, std::pair{"spin", 0.0}}) {
-    (void)program.run({"plot", "turning"}, {{"--history", {asked}}, {"--format", {"svg"}}, {"--name", {"asked"}}});
-    const Picture drawn = program.picture("turning/plots/asked.svg");
-    const std::string item = fmt::format("plot: history {}", asked);
+    (void)program.run({"plot", "turning"},
+                      {{"--history", {requested}}, {"--format", {"svg"}}, {"--name", {"requested"}}});
+    const Picture drawn = program.picture("turning/plots/requested.svg");
+    const std::string item = fmt::format("plot: history {}", requested);
     const bool one =
         drawn.panels.size() == 1 && drawn.panels[0].curves.size() == 1 && drawn.panels[0].curves[0].lines.size() == 1;
     differ.holds(item, one);
