@@ -283,11 +283,12 @@ void expect_undefined_draws(Findings& findings) {
   constexpr double n = blocks;
   const double defined = 1.0 - std::pow(1.0 - 1.0 / n, n);
   const double variance = (n - 1.0 / defined) / (n * n) * n / (n - 1.0);
-  findings.expect("error of a mean that a third of the draws do not have, over the exact one",
-                  found.error / std::sqrt(variance), 1.0,
-                  Tolerance::model(0.13,
-                                   "four standard deviations of the scatter of some 250 normal numbers; with the "
-                                   "draws without a value it would be smaller by a fifth"));
+  findings.expect(
+      "error of a mean that a third of the draws do not have, over the exact one", found.error / std::sqrt(variance),
+      1.0,
+      Tolerance::model(0.13,
+                       "three standard deviations of the scatter of some 250 normal numbers, 1/sqrt(500); with the "
+                       "draws without a value it would be smaller by a fifth"));
 }
 
 /// A layer that one block of time alone has seen: without it nothing is known of the layer, so that it does not add to

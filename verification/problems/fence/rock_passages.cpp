@@ -64,7 +64,7 @@ void check_mirrored(Findings& findings, const Setup& setup) {
                        front.verdict == Verdict::stopped && behind.verdict == Verdict::stopped && front.turned &&
                            behind.turned && front.left && behind.left && behind.braking_time > 0.0 &&
                            behind.travel > 0.0,
-                       "the rock has a hundredth of the mass of the columns that it hits");
+                       "the rock has a sixteenth of the mass of the column that it hits");
 }
 
 /// A rock that falls along the fence and touches it, on either side: it comes from the side on which it is.

@@ -217,11 +217,11 @@ class Lines {
 
 }  // namespace
 
-std::vector<std::string> expected_print(const Run& run) { return Lines{run.summary}.all(); }
+std::vector<std::string> expected_print(const Json& summary) { return Lines{summary}.all(); }
 
-std::vector<std::string> compared_print(const Run& run) {
+std::vector<std::string> compared_print(const std::string& printed) {
   std::vector<std::string> lines;
-  std::istringstream text{run.printed};
+  std::istringstream text{printed};
   for (std::string line; std::getline(text, line);)
     if (!line.starts_with("note: ") && !line.starts_with("files: ")) lines.push_back(line);
   return lines;
