@@ -487,6 +487,24 @@ void check_worst_verdict(const TemporaryFolder& folder, const std::string& deck,
                           "flies over it worse than both");
 }
 
+/// A rock that hits the third column on one side of a full fence, between columns that sleep: cables pull on these from
+/// either of their ends.
+void check_beside(const TemporaryFolder& folder, const std::string& deck, Findings& findings) {
+  std::string beside = deck;
+  const std::string position = "position = [\"2.451 ft\", \"0 ft\"]";
+  replace(beside, position, position + "\nalong = \"5 ft\"");
+  std::vector<std::string> histories;
+  for (const std::string sleep : {"exact", "off"}) {
+    folder.write("beside.toml", beside + "\n[fence.options]\nsymmetry = \"full\"\nsleep = \"" + sleep + "\"\n");
+    (void)talus_output(
+        folder, {"run", "beside.toml", "--integrator", "velocity_verlet", "--end", "3 ms", "--out", "beside_" + sleep});
+    histories.push_back(folder.read("beside_" + sleep + "/history.csv"));
+  }
+  findings.expect_true("rock beside the middle: the same history with sleeping columns as without",
+                       histories[0] == histories[1],
+                       "with sleep exact a column wakes as soon as a pull on it changes by a bit: the same bytes");
+}
+
 /// Data of the animation page: outlines of bodies relative to their positions, ends of cables, in six digits.
 void check_player(const TemporaryFolder& folder, Findings& findings, const Setup& setup) {
   (void)talus_output(folder, {"animate", "out"});
@@ -551,6 +569,7 @@ void run(Findings& findings, const Setup& setup) {
   if (setup.needs("history by codes")) check_codes(folder, deck, findings), check_loads(folder, deck, findings);
   if (setup.needs("blocks: ")) check_blocks(folder, deck, findings);
   if (setup.needs("missing rock")) check_missing_rock(folder, deck, findings);
+  if (setup.needs("beside the middle")) check_beside(folder, deck, findings);
   if (setup.needs("pairs of rocks: ")) check_worst_verdict(folder, deck, findings, setup);
   if (!sheet_is_needed) return;
   const Json sheet_json = records::read_json(folder.path() / "out/sheet.json"),
