@@ -69,7 +69,8 @@ void CableForces::extend(Chain& chain, const HangerTopology& topology, std::vect
 /// has an elongation e_i = p_i + T/k_i from its own natural elongation p_i and compliance 1/k_i:
 ///   T = (l - sum(l0_i + p_i))/sum(1/k_i).
 /// Behind a plane of symmetry the chain continues as its mirror image: it runs straight along the fence and exerts no
-/// force in the plane of motion. A chain with a free start, or with a broken cable in it, has no tension.
+/// force in the plane of motion. A chain with a free start, or with a broken cable in it, has no tension. The joints
+/// get positions for outputs, without velocities: the rates of length of the cables follow from that of the chain.
 void CableForces::straighten(Chain& chain, const State& state, Workspace& work) const {
   double natural = 0.0, compliance = 0.0;
   bool carries = chain.start != Chain::Start::free;
@@ -102,12 +103,11 @@ void CableForces::straighten(Chain& chain, const State& state, Workspace& work) 
     work.paths.set(c, {length, ratio * whole.length_rate, pull});
     along += length;
     if (i + 1 == chain.cables.size()) break;
-    const double part = whole.length > 0.0 ? std::clamp(along / whole.length, 0.0, 1.0) : 1.0;
-    const bool held = chain.start == Chain::Start::held;
-    const Vec2 p_WFrom = held ? p_WStart : p_WEnd, v_WFrom = held ? v_WStart : v_WEnd;
-    work.joints.set(chain.joints[i + 1], p_WFrom + part * (p_WEnd - p_WFrom), v_WFrom + part * (v_WEnd - v_WFrom));
+    const double part = std::clamp(along / whole.length, 0.0, 1.0);
+    const Vec2 p_WFrom = chain.start == Chain::Start::held ? p_WStart : p_WEnd;
+    work.joints.set(chain.joints[i + 1], p_WFrom + part * (p_WEnd - p_WFrom), {});
   }
-  if (chain.start != Chain::Start::held) work.joints.set(first, p_WEnd, v_WEnd);
+  if (chain.start != Chain::Start::held) work.joints.set(first, p_WEnd, {});
 }
 
 double CableForces::pull_on(const HangerJoint& hanger, const State& state, const Workspace& work) const {
