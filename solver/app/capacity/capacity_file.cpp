@@ -83,9 +83,8 @@ RockNumber read_number(SceneTable& table, std::string_view key, Dimension dimens
     number = {percentiles.quantity("p95", dimension, Range::positive),
               percentiles.quantity("p99", dimension, Range::positive)};
     if (table.source().errors() == errors && !(number.p95 <= number.p99))
-      percentiles.fail("p99",
-                       fmt::format("found {0} {2}, less than the percentile of 95 %, {1} {2}; it must be at least that",
-                                   number.p99, number.p95, symbol(si, dimension)));
+      percentiles.fail("p99", fmt::format("found {}, less than the percentile of 95 %, {}; it must be at least that",
+                                          found(*percentiles.value("p99")), found(*percentiles.value("p95"))));
   });
   return number;
 }

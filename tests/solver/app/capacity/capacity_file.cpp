@@ -132,7 +132,8 @@ BOOST_AUTO_TEST_CASE(wrong_files_are_refused_by_key) {
        "c.toml:5: limits: time: results would depend on the machine; give `evaluations`"},
       {head + "[map]\nfew_runs = 21\n", "c.toml:5: map: few_runs: found 21; it must be at most the runs of a node, 20"},
       {head + "[hazard]\nmass = \"1 kg\"\nheight = \"1 m\"\nspeed = { p95 = \"2 m/s\", p99 = \"1 m/s\" }\n",
-       "c.toml:7: hazard: speed: p99: found 1 m/s, less than the percentile of 95 %, 2 m/s; it must be at least that"},
+       "c.toml:7: hazard: speed: p99: found \"1 m/s\", less than the percentile of 95 %, \"2 m/s\"; "
+       "it must be at least that"},
       {head + "[hazard]\ntable = \"short.csv\"\n",
        "c.toml:5: hazard: table: short.csv: the column height is missing; give it"},
       {head + "[hazard]\ntable = \"zero.csv\"\n",

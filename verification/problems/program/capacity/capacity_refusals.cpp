@@ -77,7 +77,7 @@ void check_refusals(const Program& program, Differences& differ) {
       {good + "[changes]\nangle = \"1 m\"\n", "changes: angle: "},
       {good + "[hazard]\nmass = \"1 kg\"\nspeed = \"1 m/s\"\n", "hazard: height: it is missing"},
       {good + "[hazard]\nmass = \"1 kg\"\nheight = \"1 m\"\nspeed = { p95 = \"2 m/s\", p99 = \"1 m/s\" }\n",
-       "less than the percentile of 95 %"},
+       "found \"1 m/s\", less than the percentile of 95 %, \"2 m/s\""},
       {good + "[hazard]\ntable = \"bad.csv\"\n", "bad.csv: the column height is missing"},
       {good + "[hazard]\ntable = \"zero.csv\"\n", "zero.csv:2: column 'speed [m/s]': found '0'; it must be > 0"},
       {good + "[hazard]\ntable = \"empty.csv\"\n", "found no line below the header"},
