@@ -1,5 +1,7 @@
+#include <utility>
 #include <variant>
 
+#include "solver/io/fence1993/out_listing.hpp"
 #include "verification/problems/fence/sample2_print.hpp"
 #include "verification/problems/fence/sample2_run.hpp"
 #include "verification/study/toolkit.hpp"
@@ -261,6 +263,25 @@ void check_derived(Findings& findings, const Sample2Run& run) {
   findings.table(table);
 }
 
+/// Numbers by Fortran's G format with three digits, at both ends of the range without exponent: a number of 100 to 999
+/// has all its digits before the point.
+void check_number_format(Findings& findings, const Sample2Run& run) {
+  Fence fence = run.fence;
+  double wrong = 0.0;
+  for (const auto& [number, text] :
+       {std::pair{0.0994, ".994E-01"}, std::pair{0.1, ".100"}, std::pair{99.94, "99.9"}, std::pair{100.0, "100."},
+        std::pair{123.4, "123."}, std::pair{999.4, "999."}, std::pair{999.6, ".100E+04"}}) {
+    fence.limit_top = number;  // printed, but without effect on the rest of the head
+    const std::string listing = OutListing{fence, run.made, run.made.scene.plan}.text();
+    const std::size_t name = listing.find("top cable breaking strength"), from = listing.find("= ", name) + 2;
+    wrong += listing.substr(from, listing.find('\n', from) - from) == text ? 0.0 : 1.0;
+  }
+  findings.expect_exact({"number_format", "numbers in G format with three digits that are printed otherwise"}, wrong,
+                        0.0,
+                        "Fortran 77, 13.5.9.2.2: G prints a magnitude from 0.1 to below 10^d without exponent, with d "
+                        "digits, else as E does; 0.0994 and 999.6, which rounds to 1000, are just outside");
+}
+
 /// One printed number with its deviation, or a dash if it is not compared.
 std::string cell(const std::vector<Deviation>& all, std::size_t print, int element, const char* quantity) {
   for (const Deviation& d : all) {
@@ -380,6 +401,7 @@ void run(Findings& findings, const Setup& setup) {
   findings.count(run.evaluations);
   const std::vector<Deviation> all = deviations(run);
   check_derived(findings, run);
+  check_number_format(findings, run);
   check_states(findings, run, all);
   if (!setup.fault.empty() || setup.coarse) return;
   tabulate_states(findings, all);

@@ -1,5 +1,8 @@
 #include "verification/problems/fence/rock_passages.hpp"
 
+#include <cmath>
+#include <numbers>
+
 #include "solver/scenes/fence_scene.hpp"
 #include "solver/scenes/fence_summary.hpp"
 #include "verification/study/scenes/fence_table.hpp"
@@ -101,12 +104,33 @@ void check_creeping(Findings& findings) {
                           "lost in 7 to 30 us, steps of 1 us");
 }
 
+/// A rock that a moment turns on its way to the fence: the approach spin is that of the last step before the touch.
+void check_turning(Findings& findings) {
+  constexpr double step = 2e-5, end = 0.012, spin = 20.0, moment = 500.0;
+  scenes::Fence fence = fence_with_light_rock();
+  scenes::FenceElement& rock = fence.rocks[0];
+  rock.position.x += 0.5, rock.spin = spin, rock.moment = moment;
+  const RockPassage found = passage_of(fence, step, end, findings, [](const RockPassage&) {});
+  // A constant moment on a sphere, I = 2/5 m r^2.
+  const double mass = 4.0 / 3.0 * std::numbers::pi * std::pow(rock.a, 3) * rock.density;
+  const double exact = spin + moment / (0.4 * mass * rock.a * rock.a) * (found.touch_time - step);
+  findings.expect("approach spin of a rock that a moment turns on its way to the fence",
+                  found.touched ? found.approach_spin : NAN, exact,
+                  Tolerance::round_off(1.5e-13,
+                                       "two half kicks in each of 400 steps, which the moment makes exact: 800 "
+                                       "roundings of 1.1e-16 of the spin, and 400 of the time, if all have the same "
+                                       "sign")
+                      .relative(),
+                  "rad/s");
+}
+
 }  // namespace
 
 void check_passages(Findings& findings, const Setup& setup) {
   check_mirrored(findings, setup);
   check_falling(findings);
   check_creeping(findings);
+  check_turning(findings);
 }
 
 }  // namespace talus::verification::problems

@@ -162,6 +162,18 @@ void check_closed_forms(Findings& findings) {
   findings.expect_true("attractive contacts that do not end have an infinite contact time and no restitution",
                        lasts(overdamped) && lasts(creeping),
                        "damping ratio 1 (tsuji) and g = 1.13 (constant), beyond the last that end");
+  // y = sqrt(4 K/(5 m)) x^(5/4) follows a linear spring with a dashpot, which leaves the speed v exp(-xi A) for the
+  // turning point: K x^(5/2) 2/5 = m y^2/2.
+  double turn = 0.0;
+  for (const double xi : {1.0, 2.0, 10.0}) {
+    overdamped.damping = xi * std::sqrt(20.0 / 3.0 * modulus * radius * mass);
+    const double y = speed * std::exp(-xi * reference::contact_angle(xi));
+    keep_worst(turn, overdamped.largest_overlap(mass, speed) / std::pow(1.25 * mass * y * y / hertz_factor, 0.4) - 1.0);
+  }
+  findings.expect_round_off("largest overlap in closed form of attractive contacts that do not end, relative error",
+                            turn, 0.0, 1e-14,
+                            "the damping ratio with four roundings in an exponent of up to 6, of which the power 2/5 "
+                            "takes 4/5, and ten more operations of 1.1e-16 each");
 }
 
 // --- formulas in use ------------------------------------------------------------------------------------------------

@@ -17,7 +17,8 @@ constexpr MonitorRules unmonitored{
 /// A run as by `talus run`, with RunMonitor checks before the first step and after each step.
 struct WatchedRun {
   State end;
-  std::string violation;  ///< empty if the run reached its end
+  std::string violation;             ///< empty if the run reached its end
+  std::vector<std::string> lines{};  ///< of the monitor, as `talus run` prints them
 };
 
 WatchedRun watched_run(Scene scene, double step, double end, const MonitorRules& rules, Findings& findings) {
@@ -40,6 +41,7 @@ WatchedRun watched_run(Scene scene, double step, double end, const MonitorRules&
   }
   findings.count(system.evaluations());
   run.violation = watch.violation();
+  run.lines = watch_lines(watch, scene);
   return run;
 }
 
@@ -335,6 +337,12 @@ FailureFound check_crossed_bars(Findings& findings, const Setup& setup) {
       {"crossed_bars/plus_overlap", "crossed bars: overlap reported before the run"},
       said.violation.find("no node of either is in the other") != std::string::npos && said.end.t == 0.0,
       "an overlap of 9 half widths that no node detects");
+  const std::string label = "largest overlap unseen by nodes", at_start = " % at t = 0, 'across'";
+  double percent = NAN;
+  for (const std::string& line : said.lines)
+    if (line.starts_with(label) && line.ends_with(at_start)) percent = std::stod(line.substr(label.size()));
+  findings.expect_exact({"crossed_bars/printed", "crossed bars: overlap unseen by nodes, as printed"}, percent, 900.0,
+                        "9/8 over the half width of both bars, 1/8, in percent; four digits give it exactly", "%");
   findings.expect_exact(
       {"crossed_bars/plus_minimum",
        "crossed bars: overlap of the plus, minimum over all directions, over the sum of the half sides"},

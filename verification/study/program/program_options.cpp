@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <filesystem>
 #include <limits>
+#include <stdexcept>
 
 namespace talus::verification::problems {
 
@@ -50,6 +52,29 @@ std::string squeezed(const std::string& text) {
 double number_after(const std::string& text, const std::string& before) {
   const std::size_t at = text.find(before);
   return at == std::string::npos ? std::nan("") : std::strtod(text.c_str() + at + before.size(), nullptr);
+}
+
+std::vector<double> numbers_in(std::string_view text) {
+  std::vector<double> found;
+  for (std::size_t at = 0; at < text.size();) {
+    double value = 0.0;
+    const auto [end, failure] = std::from_chars(text.data() + at, text.data() + text.size(), value);
+    const bool begins = at == 0 || std::string_view{" \"[,\t\n="}.find(text[at - 1]) != std::string_view::npos;
+    if (failure == std::errc{} && begins) {
+      found.push_back(value);
+      at = static_cast<std::size_t>(end - text.data());
+    } else {
+      ++at;
+    }
+  }
+  return found;
+}
+
+std::vector<double> numbers_after(const std::string& text, const std::string& before) {
+  const std::size_t at = text.find(before);
+  if (at == std::string::npos) throw std::runtime_error("'" + before + "' is expected in a file");
+  const std::size_t from = at + before.size();
+  return numbers_in(std::string_view{text}.substr(from, text.find('\n', from) - from));
 }
 
 void Differences::expect_none(Findings& findings, const std::string& check, const std::string& why) const {

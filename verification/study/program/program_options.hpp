@@ -56,6 +56,12 @@ class Program {
 /// The first number after a text; NaN if the text does not occur.
 [[nodiscard]] double number_after(const std::string& text, const std::string& before);
 
+/// All numbers of a text that follow a blank, quote, bracket, comma, tab, line end or `=`.
+[[nodiscard]] std::vector<double> numbers_in(std::string_view text);
+
+/// The numbers on the same line after the first occurrence of a text. Errors: std::runtime_error without one.
+[[nodiscard]] std::vector<double> numbers_after(const std::string& text, const std::string& before);
+
 /// Counts texts, numbers and files that differ from those expected, and keeps their names.
 class Differences {
  public:

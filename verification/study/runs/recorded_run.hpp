@@ -24,7 +24,7 @@ class RecordedRun {
   [[nodiscard]] const Recorder& recorder() const { return recorder_; }
   /// Value that a run prints for a quantity.
   [[nodiscard]] double value(const Quantity& quantity) const {
-    const Extreme extreme = recorder_.extremes()[quantity.column];
+    const Extreme extreme = recorder_.extreme(quantity.column);
     return quantity.of(extreme.minimum, extreme.maximum, recorder_.row()[quantity.column]);
   }
 

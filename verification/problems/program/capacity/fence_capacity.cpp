@@ -210,6 +210,19 @@ void check_ends(const Program& program, Differences& differ) {
     differ.compare("a mass of which all are stopped", line.at("speed").at(1).is_null(), is_above);
     differ.compare("its last runs", line.at("not_stopped").is_null(), is_above);
   }
+  // In cells of 1 m/s from 4.4 m/s on, no node is closer than 0.3 m/s to a speed at which the cable breaks, which the
+  // changes of a node and the column vary by less than 0.1 m/s: a mass is stopped up to the last node below its speed.
+  constexpr double lowest = 4.4;
+  std::size_t at_lowest = 0;
+  for (const Json& line : boundary("lowest", "4.4 m/s", "12.4 m/s")) {
+    const double mass = line.at("mass").get<double>(), exact = std::sqrt(2.0 * energy / mass);
+    const double last = exact < lowest ? 0.0 : lowest + std::floor(exact - lowest);
+    differ.holds("speed up to which a mass is stopped", std::abs(line.at("speed").at(0).get<double>() - last) < 1e-12);
+    differ.holds("energy up to which a mass is stopped",
+                 std::abs(line.at("kinetic_energy").at(0).get<double>() - 0.5 * mass * last * last) < 1e-9);
+    at_lowest += last == lowest ? 1 : 0;
+  }
+  differ.compare("masses that are stopped at the lowest speed alone", at_lowest, std::size_t{1});
 }
 
 /// Rocks whose centre is 0.25 m above the column: the lightest, whose radius is 0.238 m, pass over it at any energy.

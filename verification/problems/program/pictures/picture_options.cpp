@@ -2,22 +2,18 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <filesystem>
-#include <map>
-#include <set>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include "verification/check/case.hpp"
 #include "verification/problems/program/pictures/coloured_discs.hpp"
 #include "verification/problems/program/pictures/drawn_fence.hpp"
+#include "verification/problems/program/pictures/drawn_histories.hpp"
 #include "verification/problems/program/pictures/picture_script.hpp"
+#include "verification/problems/program/pictures/thrown_discs.hpp"
 #include "verification/record/csv.hpp"
 #include "verification/record/json_node.hpp"
-#include "verification/reference/motion/constant_force.hpp"
 #include "verification/study/findings/expectations.hpp"
 #include "verification/study/program/program_options.hpp"
 #include "verification/study/program/program_run.hpp"
@@ -25,57 +21,7 @@
 namespace talus::verification::problems::picture_options {
 namespace {
 
-namespace fs = std::filesystem;
 using records::Json;
-
-constexpr int discs = 10;
-constexpr double gravity = 10.0, radius = 0.2, step = 0.05;
-constexpr int steps = 20, steps_shown = 10;  ///< of the run, and up to the time of --until
-constexpr double rope_y = 9.0, near_z = 0.5, far_z = 1.0;
-
-std::string name_of(int disc) { return fmt::format("disc{}", disc); }
-reference::ConstantForce along(int disc) { return {1.0 * disc, 0.5 * disc, 0.0}; }
-reference::ConstantForce up(int disc) { return {0.0, disc + 0.25, -gravity}; }
-
-/// A quantity of a disc at time t.
-double exact(const std::string& quantity, int disc, double t) {
-  const reference::ConstantForce flight = quantity.ends_with('x') ? along(disc) : up(disc);
-  return quantity.starts_with('v') ? speed_at(flight, t) : position_at(flight, t);
-}
-
-std::string scene_text(double each = step) {
-  std::string text =
-      fmt::format("title = \"Discs in free fall\"\nunits = \"SI\"\ngravity = [\"0 m/s^2\", \"{} m/s^2\"]\n", -gravity);
-  for (int i = 1; i <= discs; ++i) {
-    text += fmt::format(R"(
-[[body]]
-name = "{}"
-mobility = "free"
-mass = "1 kg"
-inertia = "1 kg m^2"
-shape = {{ kind = "circle", radius = "{} m" }}
-position = ["{} m", "0 m"]
-velocity = ["{} m/s", "{} m/s"]
-)",
-                        name_of(i), radius, along(i).position, along(i).speed, up(i).speed);
-  }
-  return text + fmt::format(R"(
-[[cable]]
-name = "rope"
-law = "tension_only"
-from = {{ body = "disc1", point = ["0 m", "0 m", "{} m"] }}
-to = {{ point = ["0 m", "{} m", "{} m"] }}
-stiffness = "100 N/m"
-rest_length = "100 m"
-
-[run]
-integrator = "velocity_verlet"
-step = "{} s"
-end = "{} s"
-interval = "{} s"
-)",
-                            near_z, rope_y, far_z, each, steps * step, each);
-}
 
 /// A cell of 20 discs between walls of six.
 constexpr int free_discs_of_cell = 20;
@@ -99,248 +45,6 @@ every = "1 ms"
 end = "20 ms"
 pictures = "on"
 )";
-
-/// Names of the files of a folder.
-std::set<std::string> files_of(const fs::path& folder) {
-  std::set<std::string> names;
-  if (!fs::exists(folder)) return names;
-  for (const auto& entry : fs::directory_iterator(folder))
-    names.insert(entry.path().filename().string());
-  return names;
-}
-
-// --- the case ------------------------------------------------------------------------------------------------------
-
-/// The program in a folder with a run of the discs in `out` and of a cell in `flow`.
-class Pictures {
- public:
-  explicit Pictures(const Setup& setup) : setup_{&setup}, environment_{recorded_pictures()} {
-    folder_.write("scene.toml", scene_text());
-    (void)talus_output(folder_, {"run", "scene.toml", "--out", "out", "--frames", fmt::format("{}", steps)});
-  }
-
-  std::string run(const std::vector<std::string>& command, const Options& options) const {
-    return talus_output(folder_, with_options(command, options, *setup_), environment_);
-  }
-  /// A picture of a figure or of one page.
-  Picture picture(const std::string& file) const { return read_picture(text(file)); }
-  /// The recorded commands; empty without this file.
-  std::string text(const std::string& file) const {
-    return fs::exists(folder_.path() / file) ? folder_.read(file) : "";
-  }
-  std::set<std::string> files(const std::string& folder) const { return files_of(folder_.path() / folder); }
-  const TemporaryFolder& folder() const { return folder_; }
-
- private:
-  TemporaryFolder folder_;
-  const Setup* setup_;
-  Environment environment_;
-};
-
-using Names = std::set<std::string>;
-using Numbers = std::vector<double>;
-
-std::vector<std::string> labels(const std::vector<Curve>& curves) {
-  std::vector<std::string> found;
-  for (const Curve& curve : curves)
-    found.push_back(curve.label);
-  return found;
-}
-
-/// Largest error of the points of a curve, over the larger of 1 and the exact number, up to a time; NaN if the number
-/// of points differs.
-double curve_error(const Panel& panel, std::size_t curve, const std::string& x, const std::string& y, int disc,
-                   int last) {
-  double worst = 0.0;
-  if (curve >= panel.curves.size() || panel.curves[curve].lines.size() != 1) return std::nan("");
-  const std::vector<Point>& points = panel.curves[curve].lines.front();
-  if (points.size() != static_cast<std::size_t>(last) + 1) return std::nan("");
-  for (int n = 0; n <= last; ++n) {
-    const double t = n * step;
-    const auto error = [&](double drawn, double right) { return (drawn - right) / std::max(1.0, std::abs(right)); };
-    const Point& point = points[static_cast<std::size_t>(n)];
-    keep_worst(worst, error(point[0], x.empty() ? t : exact(x, disc, t)));
-    keep_worst(worst, error(point[1], exact(y, disc, t)));
-  }
-  return worst;
-}
-
-/// The pictures of one stem: each drawn by the terminal of its format, all with the same content, and dated 1970.
-void check_formats(const Pictures& program, const std::string& stem, const std::vector<std::string>& formats,
-                   Differences& differ) {
-  const std::map<std::string, std::string> terminals{
-      {"pdf", "pdfcairo"}, {"png", "pngcairo"}, {"ps", "epscairo"}, {"svg", "svg"}};
-  const std::string content = drawn_content(program.text(stem + "." + formats.front()));
-  differ.contains("formats: a plot", content, "\nplot ");
-  for (const std::string& format : formats) {
-    const std::string text = program.text(stem + "." + format);
-    differ.compare("formats: terminal of " + format, read_picture(text).terminal, terminals.at(format));
-    differ.compare("formats: content of " + format, drawn_content(text), content);
-    if (format == "pdf")
-      differ.compare("formats: date of pdf", between(text, "/CreationDate (D:", ")"), std::string{"19700101000000"});
-    if (format == "ps")
-      differ.compare("formats: date of ps", between(text, "%%CreationDate: ", "\n"),
-                     std::string{"Thu Jan  1 00:00:00 1970"});
-  }
-}
-
-/// `talus plot` with every option at once.
-double check_chosen_histories(const Pictures& program, Differences& differ) {
-  (void)program.run({"plot", "out"}, {{"--history", {"x,y,vx"}},
-                                      {"--element", {"disc2,disc5"}},
-                                      {"--x", {"vy"}},
-                                      {"--until", {"0.5 s"}},
-                                      {"--apart", {}},
-                                      {"--columns", {"3"}},
-                                      {"--x-limits", {"-12", "12"}},
-                                      {"--y-limits", {"-3", "9"}},
-                                      {"--x-title", {"words below"}},
-                                      {"--y-title", {"words beside"}},
-                                      {"--divisions", {"6", "4"}},
-                                      {"--no-grid", {}},
-                                      {"--format", {"svg,ps"}},
-                                      {"--out", {"pictures"}},
-                                      {"--name", {"mine"}},
-                                      {"--title", {"Mine"}}});
-  differ.compare("plot: files", program.files("pictures"), Names{"mine.ps", "mine.svg"});
-  check_formats(program, "pictures/mine", {"svg", "ps"}, differ);
-  const Picture picture = program.picture("pictures/mine.svg");
-  differ.compare("plot: title", picture.texts, Names{"Mine"});
-  differ.compare("plot: panels", picture.panels.size(), 3UL);
-  std::set<double> margins;
-  double worst = picture.panels.size() == 3 ? 0.0 : std::nan("");
-  const std::vector<std::string> quantities{"x", "y", "vx"};
-  for (std::size_t i = 0; i < std::min(quantities.size(), picture.panels.size()); ++i) {
-    const Panel& panel = picture.panels[i];
-    margins.insert(panel.left);
-    differ.compare("plot: title of the abscissa", panel.x_label, std::string{"words below"});
-    differ.compare("plot: title of the ordinate", panel.y_label, std::string{"words beside"});
-    differ.compare("plot: limits of the abscissa", panel.x_range, Numbers{-12.0, 12.0});
-    differ.compare("plot: limits of the ordinate", panel.y_range, Numbers{-3.0, 9.0});
-    differ.compare("plot: divisions of the abscissa", panel.x_tics, Numbers{-12.0, 4.0});
-    differ.compare("plot: divisions of the ordinate", panel.y_tics, Numbers{-3.0, 3.0});
-    differ.compare("plot: grid", panel.grid, false);
-    differ.compare("plot: curves", labels(panel.curves), std::vector<std::string>{"disc2", "disc5"});
-    keep_worst(worst, curve_error(panel, 0, "vy", quantities[i], 2, steps_shown));
-    keep_worst(worst, curve_error(panel, 1, "vy", quantities[i], 5, steps_shown));
-  }
-  differ.compare("plot: panels side by side", margins.size(), 3UL);
-  return worst;
-}
-
-/// What `talus plot` draws without options: all panels, the eight curves with the largest range, three formats.
-double check_default_histories(const Pictures& program, Differences& differ) {
-  (void)program.run({"plot", "out"}, {{"--history", {"y"}}});
-  differ.compare("plot: files without options", program.files("out/plots"),
-                 Names{"history_y.pdf", "history_y.png", "history_y.svg"});
-  check_formats(program, "out/plots/history_y", {"pdf", "png", "svg"}, differ);
-  (void)program.run({"plot", "out"}, {{"--history", {"y"}}, {"--all", {}}, {"--name", {"every"}}});
-  // Range of y over the states: the largest is that of disc 1 or 10, whose way up or down is longest.
-  std::vector<std::pair<double, int>> ranges;
-  for (int i = 1; i <= discs; ++i) {
-    double low = 0.0, high = 0.0;
-    for (int n = 0; n <= steps; ++n)
-      low = std::min(low, exact("y", i, n * step)), high = std::max(high, exact("y", i, n * step));
-    ranges.emplace_back(high - low, i);
-  }
-  std::ranges::sort(ranges, std::greater{});
-  Names widest, all;
-  for (const auto& [range, i] : ranges) {
-    if (widest.size() < 8) widest.insert(name_of(i));
-    all.insert(name_of(i));
-  }
-  const auto drawn = [&](const std::string& file) {
-    Names found;
-    const Picture picture = program.picture(file);
-    for (const Panel& panel : picture.panels)
-      for (const std::string& each : labels(panel.curves))
-        found.insert(each);
-    return found;
-  };
-  differ.compare("plot: curves with the largest range", drawn("out/plots/history_y.svg"), widest);
-  differ.compare("plot: all curves", drawn("out/plots/every.svg"), all);
-  const Picture every = program.picture("out/plots/every.svg");
-  double worst = every.panels.size() == 1 ? 0.0 : std::nan("");
-  for (int i = 1; i <= discs && every.panels.size() == 1; ++i)
-    keep_worst(worst, curve_error(every.panels.front(), static_cast<std::size_t>(i) - 1, "", "y", i, steps));
-
-  // Of two runs the four quantities with the largest range, each of both runs.
-  fs::copy(program.folder().path() / "out", program.folder().path() / "again", fs::copy_options::recursive);
-  (void)program.run({"plot", "out", "again"}, {{"--history", {"y"}}, {"--format", {"svg"}}, {"--out", {"both"}}});
-  Names of_both;
-  for (const std::string run : {"out", "again"})
-    for (std::size_t k = 0; k < 4; ++k)
-      of_both.insert(fmt::format("{}, {}", run, name_of(ranges[k].second)));
-  differ.compare("plot: curves of two runs with the largest range", drawn("both/history_y.svg"), of_both);
-
-  (void)program.run({"plot", "out"}, {{"--all", {}}, {"--format", {"svg"}}, {"--out", {"whole"}}});
-  const Picture positions = program.picture("whole/positions.svg");
-  std::vector<std::string> columns;
-  for (int i = 1; i <= discs; ++i)
-    columns.push_back(name_of(i) + ".x"), columns.push_back(name_of(i) + ".y");
-  const bool whole = positions.panels.size() == 1;
-  differ.compare("plot: positions of a whole run", whole ? labels(positions.panels.front().curves) : columns, columns);
-  if (!whole) return std::nan("");
-  for (std::size_t k = 0; k < columns.size(); ++k)
-    keep_worst(worst, curve_error(positions.panels.front(), k, "", k % 2 == 0 ? "x" : "y", static_cast<int>(k / 2) + 1,
-                                  steps));
-  return worst;
-}
-
-/// Angle and spin of a body by their names and codes of 1993.
-void check_turning(const Pictures& program, Differences& differ) {
-  constexpr double angle = 0.25, spin = 3.0;
-  program.folder().write(
-      "turning.toml",
-      fmt::format(
-          "units = \"SI\"\n[[body]]\nname = \"wheel\"\nmobility = \"free\"\nmass = \"1 kg\"\n"
-          "inertia = \"1 kg m^2\"\nposition = [\"0 m\", \"0 m\"]\nangle = \"{} rad\"\nspin = \"{} rad/s\"\n[run]\n"
-          "integrator = \"velocity_verlet\"\nstep = \"0.1 s\"\nend = \"1 s\"\n"
-          "interval = \"0.1 s\"\n",
-          angle, spin));
-  (void)talus_output(program.folder(), {"run", "turning.toml", "--out", "turning"});
-  for (const auto& [requested, rate] :
-       {std::pair{"theta", spin}, std::pair{"omega", 0.0}, std::pair{"angle", spin}, std::pair{"spin", 0.0}}) {
-    (void)program.run({"plot", "turning"},
-                      {{"--history", {requested}}, {"--format", {"svg"}}, {"--name", {"requested"}}});
-    const Picture drawn = program.picture("turning/plots/requested.svg");
-    const std::string item = fmt::format("plot: history {}", requested);
-    const bool one =
-        drawn.panels.size() == 1 && drawn.panels[0].curves.size() == 1 && drawn.panels[0].curves[0].lines.size() == 1;
-    differ.holds(item, one);
-    if (!one) continue;
-    differ.compare(item + ", points", drawn.panels[0].curves[0].lines[0].size(), 11UL);
-    for (const Point& point : drawn.panels[0].curves[0].lines[0])
-      differ.holds(item + ", values", std::abs(point[1] - (rate > 0.0 ? angle + rate * point[0] : spin)) < 1e-7);
-  }
-}
-
-/// The list of what can be drawn against the columns of history.csv.
-void check_list(const Pictures& program, Differences& differ) {
-  const records::Csv history = records::read_csv(program.folder().path() / "out/history.csv");
-  Names columns, listed;
-  for (const std::string& head : history.header())
-    if (!head.starts_with("time ")) columns.insert(head);
-  std::istringstream lines{program.run({"plot", "out"}, {{"--list", {}}})};
-  for (std::string line; std::getline(lines, line);) {
-    const std::size_t unit = line.find(" [");
-    if (!line.starts_with("  ") || unit == std::string::npos) continue;
-    std::string name = line.substr(0, line.find_last_not_of(' ', unit) + 1);
-    name = name.substr(name.rfind(' ') + 1);
-    const std::string dimension = line.substr(unit, line.find(']') + 1 - unit);
-    const std::size_t last_gap = line.rfind("  ");
-    std::istringstream elements{line.substr(last_gap)};
-    bool any = false;
-    for (std::string element; std::getline(elements, element, ',');) {
-      element = element.substr(std::min(element.find_first_not_of(' '), element.size()));
-      if (element.empty() || element.find('[') != std::string::npos) continue;
-      listed.insert(fmt::format("{}.{}{}", element, name, dimension));
-      any = true;
-    }
-    if (!any) listed.insert(name + dimension);
-  }
-  differ.compare("plot: list of columns", listed, columns);
-}
 
 /// Errors of discs and cable of a panel at step n: outlines, ends of the cable, numbers of the discs.
 void check_state(const Panel& panel, int n, bool numbered, double& worst, Differences& differ) {
@@ -574,10 +278,7 @@ void run(Findings& findings, const Setup& setup) {
   const auto group = findings.in("pictures");
   const Pictures program{setup};
   Differences plots, states, films;
-  double curves = check_chosen_histories(program, plots);
-  keep_worst(curves, check_default_histories(program, plots));
-  check_list(program, plots);
-  if (setup.fault.empty()) check_turning(program, plots);
+  const double curves = check_histories(program, setup, plots);
   double drawn = check_snapshots(program, states);
   if (setup.fault.empty()) check_half_fence(program.folder(), states);
   keep_worst(drawn, check_animations(program, films));

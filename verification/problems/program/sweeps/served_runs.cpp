@@ -1,6 +1,7 @@
 #include "verification/problems/program/sweeps/served_runs.hpp"
 
 #include <cmath>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -64,6 +65,18 @@ void check_server(const Program& program, Differences& differ) {
     differ.compare("server: error: " + message, answer.body.value("/error/type"_json_pointer, ""), type);
     differ.holds("server: message: " + message,
                  answer.body.value("/error/message"_json_pointer, "").starts_with(message));
+  }
+  // The model has one input (/InputSizes): a request without a list, or with two, has no answer.
+  for (const std::size_t lists : {std::size_t{0}, std::size_t{2}}) {
+    Json request = model;
+    request["input"] = Json(lists, Json::array({2.0, 10.0, 0.1}));
+    const ServerAnswer answer = server.post("/Evaluate", request);
+    const std::string item = std::to_string(lists) + " lists";
+    differ.compare("server: status of " + item, answer.status, 400);
+    differ.compare("server: error of " + item, answer.body.value("/error/type"_json_pointer, ""),
+                   std::string{"InvalidInput"});
+    differ.holds("server: message of " + item,
+                 answer.body.value("/error/message"_json_pointer, "").starts_with("input: found " + item));
   }
 }
 

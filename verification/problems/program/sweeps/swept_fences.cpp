@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
+#include <utility>
 
 #include "verification/check/case_file.hpp"
 #include "verification/problems/program/sweeps/ball_sweep.hpp"
@@ -78,6 +80,34 @@ void check_fence(const Program& program, Differences& differ) {
                    csv.number(row == 0 ? 3 : 5, "rock.vx.end [m/s]"));
 }
 
+/// A sweep records only the columns of its outputs: of each group of columns the one with the largest value, alone in a
+/// sweep, has the extremes of `talus run`, which records all, bit by bit.
+void check_single_columns(const Program& program, Differences& differ) {
+  const Json summary = program.json({"run", "fence.toml"}, {{"--json", {}}});
+  const auto size_of = [](const Json& extreme) {
+    return std::max(extreme.at("maximum").get<double>(), -extreme.at("minimum").get<double>());
+  };
+  int sweeps = 0;
+  for (const std::string group : {".vx", ".spin", ".overlap", ".force", ".elongation", ".tension", "energy.cables"}) {
+    const Json* largest = nullptr;
+    for (const Json& extreme : summary.at("extremes"))
+      if (extreme.at("name").get<std::string>().ends_with(group) &&
+          (largest == nullptr || size_of(extreme) > size_of(*largest)))
+        largest = &extreme;
+    const bool any = largest != nullptr && size_of(*largest) > 0.0;
+    differ.holds("column of the group " + group, any);
+    if (!any) continue;
+    const std::string column = largest->at("name").get<std::string>(), unit = largest->at("unit").get<std::string>();
+    const records::Csv csv =
+        collected(program, fmt::format("alone_{}", ++sweeps),
+                  fmt::format("base = \"fence.toml\"\noutputs = [\"{0}.max\", \"{0}.min\"]\n", column) +
+                      axis("fence.rock[0].spin", "values = [\"0 rad/s\"]"));
+    for (const auto& [name, of] : {std::pair{"max", "maximum"}, std::pair{"min", "minimum"}})
+      differ.compare(fmt::format("{} of the column {} alone", of, column),
+                     csv.number(0, fmt::format("{}.{} [{}]", column, name, unit)), largest->at(of).get<double>());
+  }
+}
+
 /// A deck of 1993 as base: the run of `talus run` of the deck, bit by bit, and of the deck with another speed.
 void check_deck(const Program& program, Differences& differ) {
   std::string deck = records::read_whole(case_file("fence/table_2.DAT"));
@@ -105,6 +135,7 @@ void check_deck(const Program& program, Differences& differ) {
 
 void check_fences(const Program& program, Differences& differ) {
   check_fence(program, differ);
+  check_single_columns(program, differ);
   check_deck(program, differ);
 }
 
