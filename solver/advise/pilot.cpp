@@ -99,7 +99,7 @@ void PilotRuns::take(RigidBodySystem& system, const Scene& scene, State start, P
   // A missing contact is a property of the scene, not of the method that is tried.
   Scene monitored = scene;
   monitored.plan.watch.missing_contacts = CheckAction::off;
-  Recorder recorder{dynamics_, start, scene.plan.ledger || quantity_->ledger};
+  Recorder recorder{dynamics_, start, scene.plan.ledger || quantity_->ledger, std::vector{quantity_->column}};
   RunMonitor monitor{monitored, dynamics_, start};
   LargestBetween largest, smallest;
   const std::vector<double> lengths = dynamics_.lengths();
@@ -127,7 +127,7 @@ void PilotRuns::take(RigidBodySystem& system, const Scene& scene, State start, P
     }
   }
   if (!pilot.failure.empty()) return;
-  const Extreme extreme = recorder.extremes()[quantity_->column];
+  const Extreme extreme = recorder.extreme(quantity_->column);
   pilot.printed = quantity_->of(extreme.minimum, extreme.maximum, pilot.values.back());
   pilot.between = quantity_->of(-smallest.largest(), largest.largest(), pilot.values.back());
   pilot.size = std::max(std::abs(extreme.minimum), std::abs(extreme.maximum));

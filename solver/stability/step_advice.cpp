@@ -57,7 +57,9 @@ std::vector<NaturalMode> natural_modes(const Dynamics& dynamics, const std::vect
   Eigen::MatrixXd damping = Eigen::MatrixXd::Zero(n, n);
   Eigen::VectorXd g(n);
   std::vector<Eigen::Index> touched;
+  bool damped = false;
   for (const Spring& spring : springs) {
+    damped = damped || spring.damping != 0.0;
     // Scaled by 1/sqrt(inertia), g turns K and C into the symmetric matrices of mass-normalised coordinates.
     touched.clear();
     for (Eigen::Index i = 0; i < n; ++i) {
@@ -73,13 +75,17 @@ std::vector<NaturalMode> natural_modes(const Dynamics& dynamics, const std::vect
       }
     }
   }
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solved{stiffness};
+  // Without a dashpot no shape is needed; the frequencies have the same bits.
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solved{
+      stiffness, damped ? Eigen::ComputeEigenvectors : Eigen::EigenvaluesOnly};
   const double negligible = 1e-12 * std::max(0.0, solved.eigenvalues()[n - 1]);
   for (Eigen::Index i = 0; i < n; ++i) {
     if (solved.eigenvalues()[i] <= negligible) continue;  // no spring is stretched
-    const Eigen::VectorXd shape = solved.eigenvectors().col(i);
     const double frequency = std::sqrt(solved.eigenvalues()[i]);
-    modes.push_back({frequency, shape.dot(damping * shape) / (2.0 * frequency)});
+    modes.push_back({frequency, 0.0});
+    if (!damped) continue;
+    const Eigen::VectorXd shape = solved.eigenvectors().col(i);
+    modes.back().damping_ratio = shape.dot(damping * shape) / (2.0 * frequency);
   }
   return modes;
 }

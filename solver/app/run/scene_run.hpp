@@ -21,10 +21,10 @@ namespace talus::app {
 /// A scene's run with its output files. It can be interrupted between two steps and resumed by another process.
 class SceneRun {
  public:
-  /// With an empty `folder` nothing is written. `scene` is the scene's file, after which output files are named. `file`
-  /// must outlive this object. Errors: InputError naming the scene's file; IoError.
+  /// With an empty `folder` nothing is written. `scene` is the scene's file, after which output files are named.
+  /// `watched`: see Recorder. `file` must outlive this object. Errors: InputError naming the scene's file; IoError.
   SceneRun(const SceneFile& file, const std::filesystem::path& folder, const std::filesystem::path& scene,
-           const OutputOptions& options);
+           const OutputOptions& options, WatchedColumns watched = {});
 
   /// Saves or restores the complete state of the run; a run of the same scene continues from it.
   void serialize(Archive& archive);

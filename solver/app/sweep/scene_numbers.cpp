@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <string_view>
 
 #include "solver/app/sweep/sweep_result.hpp"
@@ -130,6 +131,15 @@ bool SceneNumbers::add_peak(const std::string& name) {
   return true;
 }
 
+std::vector<std::size_t> SceneNumbers::columns() const {
+  std::set<std::size_t> found;
+  for (const Source& source : sources_) {
+    if (const auto* const quantity = std::get_if<Quantity>(&source)) found.insert(quantity->column);
+    if (const auto* const peak = std::get_if<OfPeak>(&source)) found.insert(peak->column);
+  }
+  return {found.begin(), found.end()};
+}
+
 Observer SceneNumbers::observer(const SceneRun& run) {
   std::vector<OfPeak*> peaks;
   impacts_.reset();
@@ -170,7 +180,7 @@ std::optional<double> SceneNumbers::value(const Source& source, const SceneRun& 
     return {};
   }
   const auto& quantity = std::get<Quantity>(source);
-  const Extreme extreme = run.recorder().extremes()[quantity.column];
+  const Extreme extreme = run.recorder().extreme(quantity.column);
   return quantity.of(extreme.minimum, extreme.maximum, run.recorder().row()[quantity.column]);
 }
 

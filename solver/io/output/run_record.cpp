@@ -57,7 +57,7 @@ void record_history(RunRecord& record, const Recorder& recorder) {
   const History& all = recorder.history();
   record.history.columns = all.columns;
   for (std::size_t i = 1; i < all.columns.size(); ++i)
-    record.extremes.push_back({all.columns[i], recorder.extremes()[i]});
+    record.extremes.push_back({all.columns[i], recorder.extreme(i)});
   const auto is_finite = [](const std::vector<double>& row) {
     return std::all_of(row.begin(), row.end(), [](double value) { return std::isfinite(value); });
   };

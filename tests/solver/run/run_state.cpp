@@ -70,8 +70,8 @@ class Leg {
              .held = run_state_.state,
              .evaluations = run_state_.evaluations,
              .rows = recorder_.history().rows};
-    for (std::size_t i = 0; i < recorder_.extremes().size(); ++i) {
-      const Extreme e = recorder_.extremes()[i];
+    for (std::size_t i = 0; i < recorder_.row().size(); ++i) {
+      const Extreme e = recorder_.extreme(i);
       all.extremes.insert(all.extremes.end(), {e.minimum, e.minimum_time, e.maximum, e.maximum_time});
     }
     for (const Failure& failure : failures_.failures())

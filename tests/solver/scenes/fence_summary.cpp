@@ -115,7 +115,7 @@ BOOST_AUTO_TEST_CASE(peaks_and_passage) {
   const auto peak = [&](const std::string& name) {
     const auto& columns = recorder.history().columns;
     const auto found = std::find_if(columns.begin(), columns.end(), [&](const Column& c) { return c.name == name; });
-    return recorder.extremes()[static_cast<std::size_t>(found - columns.begin())];
+    return recorder.extreme(static_cast<std::size_t>(found - columns.begin()));
   };
   for (const SegmentRecord& segment : run.summary().segments) {
     const Extreme kept = peak(run.made.scene.model.cables[index(segment.cable)].name + ".tension");
