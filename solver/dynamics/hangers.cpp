@@ -69,8 +69,9 @@ void CableForces::extend(Chain& chain, const HangerTopology& topology, std::vect
 /// has an elongation e_i = p_i + T/k_i from its own natural elongation p_i and compliance 1/k_i:
 ///   T = (l - sum(l0_i + p_i))/sum(1/k_i).
 /// Behind a plane of symmetry the chain continues as its mirror image: it runs straight along the fence and exerts no
-/// force in the plane of motion. A chain with a free start, or with a broken cable in it, has no tension. The joints
-/// get positions for outputs, without velocities: the rates of length of the cables follow from that of the chain.
+/// force in the plane of motion. A chain with a free start, or with a broken cable in it, has no tension. One that
+/// begins and ends at one point has no length. Joints receive positions, which only outputs read, and zero velocities:
+/// the rates of the cables' lengths follow from that of the chain.
 void CableForces::straighten(Chain& chain, const State& state, Workspace& work) const {
   double natural = 0.0, compliance = 0.0;
   bool carries = chain.start != Chain::Start::free;
@@ -103,7 +104,7 @@ void CableForces::straighten(Chain& chain, const State& state, Workspace& work) 
     work.paths.set(c, {length, ratio * whole.length_rate, pull});
     along += length;
     if (i + 1 == chain.cables.size()) break;
-    const double part = std::clamp(along / whole.length, 0.0, 1.0);
+    const double part = whole.length > 0.0 ? std::clamp(along / whole.length, 0.0, 1.0) : 1.0;
     const Vec2 p_WFrom = chain.start == Chain::Start::held ? p_WStart : p_WEnd;
     work.joints.set(chain.joints[i + 1], p_WFrom + part * (p_WEnd - p_WFrom), {});
   }

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <stdexcept>
 #include <utility>
 
 #include "solver/base/error.hpp"
@@ -13,7 +12,7 @@ namespace {
 
 bool turns(const Body& body) { return talus::turns(body.mobility); }
 
-std::vector<Column> motion_columns(const Model& model) {
+std::vector<Column> body_columns(const Model& model) {
   std::vector<Column> found{{"time", dimension::time}};
   for (const Body& body : model.bodies) {
     if (body.mobility == Mobility::fixed) continue;
@@ -25,15 +24,21 @@ std::vector<Column> motion_columns(const Model& model) {
     found.push_back({body.name + ".angle", dimension::angle});
     found.push_back({body.name + ".spin", dimension::angular_velocity});
   }
+  return found;
+}
+
+void add_contact_columns(const Model& model, std::vector<Column>& found) {
   for (const Contact& contact : model.contacts) {
     found.push_back({contact.name + ".overlap", dimension::length});
     found.push_back({contact.name + ".force", dimension::force});
   }
+}
+
+void add_cable_columns(const Model& model, std::vector<Column>& found) {
   for (const Cable& cable : model.cables) {
     found.push_back({cable.name + ".elongation", dimension::length});
     found.push_back({cable.name + ".tension", dimension::force});
   }
-  return found;
 }
 
 void add_account_columns(std::vector<Column>& found) {
@@ -52,7 +57,9 @@ void add_account_columns(std::vector<Column>& found) {
 }  // namespace
 
 std::vector<Column> history_columns(const Model& model, bool ledger) {
-  std::vector<Column> found = motion_columns(model);
+  std::vector<Column> found = body_columns(model);
+  add_contact_columns(model, found);
+  add_cable_columns(model, found);
   if (ledger) add_account_columns(found);
   return found;
 }
@@ -83,67 +90,67 @@ void History::serialize(Archive& archive) {
     rows.emplace_back(from, from + static_cast<std::ptrdiff_t>(columns.size()));
 }
 
-Recorder::Recorder(const Dynamics& dynamics, const State& start, bool ledger, WatchedColumns watched)
-    : dynamics_{&dynamics} {
-  history_.columns = history_columns(dynamics.model(), ledger);
-  row_.resize(history_.columns.size());
+Recorder::Recorder(const Dynamics& dynamics, const State& start, bool ledger, RecordedColumns recorded)
+    : dynamics_{&dynamics}, recorded_{std::move(recorded)} {
   const Model& model = dynamics.model();
-  first_of_accounts_ = history_columns(model, false).size();
-  first_of_cables_ = first_of_accounts_ - 2 * model.cables.size();
-  first_of_contacts_ = first_of_cables_ - 2 * model.contacts.size();
+  std::vector<Column>& columns = history_.columns;
+  columns = body_columns(model);
+  first_of_contacts_ = columns.size();
+  add_contact_columns(model, columns);
+  first_of_cables_ = columns.size();
+  add_cable_columns(model, columns);
+  first_of_accounts_ = columns.size();
+  if (ledger) add_account_columns(columns);
+  row_.resize(columns.size());
   for (std::size_t i = 0; i < model.bodies.size(); ++i) {
     if (model.bodies[i].mobility == Mobility::fixed) continue;
     moving_.push_back({i, turns(model.bodies[i]), dynamics.layout().first[i + 1] - 1});
   }
   if (ledger) ledger_.emplace(dynamics, start);
-  if (watched) watch(std::move(*watched));
+  if (!recorded_) return;
+  TALUS_DEMAND(std::ranges::is_sorted(*recorded_) && (recorded_->empty() || recorded_->back() < row_.size()));
+  recorded_groups_ = groups_of(*recorded_);
+  recorded_row_.resize(recorded_->size());
 }
 
-void Recorder::watch(std::vector<std::size_t> columns) {
+Recorder::ColumnGroups Recorder::groups_of(const std::vector<std::size_t>& columns) const {
   const auto any = [&](std::size_t first, std::size_t end) {
     return std::ranges::any_of(columns, [=](std::size_t column) { return column >= first && column < end; });
   };
-  watched_parts_ = {any(1, first_of_contacts_), any(first_of_contacts_, first_of_cables_),
-                    any(first_of_cables_, first_of_accounts_), any(first_of_accounts_, row_.size())};
-  watched_row_.resize(columns.size());
-  watched_ = std::move(columns);
+  return {any(1, first_of_contacts_), any(first_of_contacts_, first_of_cables_),
+          any(first_of_cables_, first_of_accounts_)};
 }
 
 void Recorder::operator()(const Snapshot& snapshot, const StepInfo& info) {
   if (ledger_) accounts_ = ledger_->accounts(snapshot);
-  const bool whole = info.due || info.stop;
-  fill_row(snapshot, whole ? Parts{} : watched_parts_);
-  if (!watched_) {
-    extremes_.add(snapshot.state().t, row_);
-  } else {
-    for (std::size_t i = 0; i < watched_row_.size(); ++i)
-      watched_row_[i] = row_[(*watched_)[i]];
-    extremes_.add(snapshot.state().t, watched_row_);
-  }
+  const bool has_row = info.due || info.stop;
+  fill_row(snapshot, has_row ? ColumnGroups{} : recorded_groups_);
+  for (std::size_t i = 0; i < recorded_row_.size(); ++i)
+    recorded_row_[i] = row_[(*recorded_)[i]];
+  extremes_.add(snapshot.state().t, recorded_ ? recorded_row_ : row_);
   history_.proceed();
-  if (whole) history_.add(row_, info.due);
+  if (has_row) history_.add(row_, info.due);
 }
 
 Extreme Recorder::extreme(std::size_t column) const {
-  if (!watched_) return extremes_[column];
-  const auto found = std::ranges::lower_bound(*watched_, column);
-  if (found == watched_->end() || *found != column)
-    throw std::logic_error{fmt::format("column {} is not watched", column)};
-  return extremes_[static_cast<std::size_t>(found - watched_->begin())];
+  if (!recorded_) return extremes_[column];
+  const auto found = std::ranges::lower_bound(*recorded_, column);
+  TALUS_DEMAND(found != recorded_->end() && *found == column);
+  return extremes_[static_cast<std::size_t>(found - recorded_->begin())];
 }
 
 void Recorder::serialize(Archive& archive) {
   archive.scope("history", [&] { history_.serialize(archive); });
-  extremes_.serialize(archive, watched_ ? watched_->size() : history_.columns.size());
+  extremes_.serialize(archive, recorded_ ? recorded_->size() : history_.columns.size());
   if (!ledger_) return;
   archive.scope("ledger", [&] { ledger_->serialize(archive); });
   archive.scope("balance", [&] { accounts_.serialize(archive); });
 }
 
-void Recorder::fill_row(const Snapshot& snapshot, const Parts& parts) {
+void Recorder::fill_row(const Snapshot& snapshot, const ColumnGroups& groups) {
   const auto at = [this](std::size_t column) { return row_.data() + column; };
   row_.front() = snapshot.state().t;
-  if (parts.motion) {
+  if (groups.bodies) {
     const Poses& poses = snapshot.geometry().poses;
     double* next = at(1);
     for (const Moving& body : moving_) {
@@ -154,14 +161,14 @@ void Recorder::fill_row(const Snapshot& snapshot, const Parts& parts) {
     }
     TALUS_ASSERT(next == at(first_of_contacts_));
   }
-  if (parts.contacts) {
+  if (groups.contacts) {
     const std::vector<double>&depths = snapshot.depths(), &forces = snapshot.forces().contacts;
     double* next = at(first_of_contacts_);
     for (std::size_t i = 0; i < depths.size(); ++i)
       *next++ = depths[i], *next++ = forces[i];
     TALUS_ASSERT(next == at(first_of_cables_));
   }
-  if (parts.cables) {
+  if (groups.cables) {
     const CableForces& cables = dynamics_->cables();
     const Workspace& geometry = snapshot.geometry();
     const std::vector<double>& tensions = snapshot.forces().tensions;
@@ -170,7 +177,7 @@ void Recorder::fill_row(const Snapshot& snapshot, const Parts& parts) {
       *next++ = cables.elongation(geometry, i), *next++ = tensions[i];
     TALUS_ASSERT(next == at(first_of_accounts_));
   }
-  if (parts.accounts && ledger_) {
+  if (ledger_) {
     const Energies& energies = accounts_.energies;
     double* next = at(first_of_accounts_);
     *next++ = energies.kinetic, *next++ = energies.gravity, *next++ = energies.applied;

@@ -37,8 +37,9 @@ struct History {
   void serialize(Archive& archive);
 };
 
-/// Numbers of columns of a history, in ascending order; none: all columns.
-using WatchedColumns = std::optional<std::vector<std::size_t>>;
+/// Numbers of the columns of a history that a recorder records at every step, in ascending order; an empty list: none;
+/// without a list: all.
+using RecordedColumns = std::optional<std::vector<std::size_t>>;
 
 /// Observer that fills a history and collects extremes over every step. Columns: for each moving body x, y, vx, vy and,
 /// if it rotates, angle and spin; for each contact overlap and force; for each cable elongation and tension; with a
@@ -46,9 +47,9 @@ using WatchedColumns = std::optional<std::vector<std::size_t>>;
 class Recorder {
  public:
   /// `start` is the run's first state. Without `ledger`, no balances are computed and their columns are omitted.
-  /// `watched`: the columns that have their values and extremes at every step; the others are evaluated for the rows of
-  /// the history alone. The Dynamics must outlive the recorder.
-  Recorder(const Dynamics& dynamics, const State& start, bool ledger = true, WatchedColumns watched = {});
+  /// `recorded`: the columns with extremes; the others are evaluated only at steps that have a row of the history. The
+  /// Dynamics must outlive the recorder.
+  Recorder(const Dynamics& dynamics, const State& start, bool ledger = true, RecordedColumns recorded = {});
 
   /// Adds a row if output is due, and one for the step at which the run stops; that row is removed when the run is
   /// resumed. The ledger and the extremes are updated at every step.
@@ -58,24 +59,25 @@ class Recorder {
   void serialize(Archive& archive);
 
   const History& history() const { return history_; }
-  /// The watched columns at the last observed step; all of them if it has a row of the history.
+  /// All columns. The time, the recorded columns and those of the ledger belong to the last observed step; others are
+  /// older, unless this step has a row of the history.
   const std::vector<double>& row() const { return row_; }
   /// Empty when the ledger is off.
   const std::optional<EnergyLedger>& ledger() const { return ledger_; }
   /// The balance at the last observed step; all zero when the ledger is off.
   const Accounts& accounts() const { return accounts_; }
 
-  /// Extremes of a watched column over all steps. Errors: std::logic_error for a column that is not watched.
+  /// Extremes of a recorded column over all steps.
   [[nodiscard]] Extreme extreme(std::size_t column) const;
 
  private:
-  /// Groups of columns that follow each other in a row.
-  struct Parts {
-    bool motion{true}, contacts{true}, cables{true}, accounts{true};
+  /// Groups of columns that are evaluated together. Those of the ledger are known at every step.
+  struct ColumnGroups {
+    bool bodies{true}, contacts{true}, cables{true};
   };
 
-  void watch(std::vector<std::size_t> columns);
-  void fill_row(const Snapshot& snapshot, const Parts& parts);
+  ColumnGroups groups_of(const std::vector<std::size_t>& columns) const;
+  void fill_row(const Snapshot& snapshot, const ColumnGroups& groups);
 
   /// A body with columns in the history.
   struct Moving {
@@ -90,10 +92,11 @@ class Recorder {
   History history_;
   std::vector<Moving> moving_;
   std::size_t first_of_contacts_{}, first_of_cables_{}, first_of_accounts_{};  ///< columns; that of the time is 0
-  WatchedColumns watched_;
-  Parts watched_parts_;  ///< those with a watched column
-  std::vector<double> row_, watched_row_;
-  Extremes extremes_;  ///< of the watched columns
+  RecordedColumns recorded_;
+  ColumnGroups recorded_groups_;  ///< those with a recorded column
+  std::vector<double> row_;
+  std::vector<double> recorded_row_;  ///< the recorded columns of `row_`
+  Extremes extremes_;                 ///< of the recorded columns
 };
 
 }  // namespace talus

@@ -54,12 +54,12 @@ std::vector<NaturalMode> natural_modes(const Dynamics& dynamics, const std::vect
   const auto n = static_cast<Eigen::Index>(dynamics.inertias().size());
   if (n == 0 || springs.empty()) return modes;
   Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(n, n);
-  Eigen::MatrixXd damping = Eigen::MatrixXd::Zero(n, n);
+  // Without a dashpot no shape is needed; the frequencies have the same bits.
+  const bool damped = std::ranges::any_of(springs, [](const Spring& spring) { return spring.damping != 0.0; });
+  Eigen::MatrixXd damping = damped ? Eigen::MatrixXd::Zero(n, n) : Eigen::MatrixXd{};
   Eigen::VectorXd g(n);
   std::vector<Eigen::Index> touched;
-  bool damped = false;
   for (const Spring& spring : springs) {
-    damped = damped || spring.damping != 0.0;
     // Scaled by 1/sqrt(inertia), g turns K and C into the symmetric matrices of mass-normalised coordinates.
     touched.clear();
     for (Eigen::Index i = 0; i < n; ++i) {
@@ -71,11 +71,10 @@ std::vector<NaturalMode> natural_modes(const Dynamics& dynamics, const std::vect
     for (const Eigen::Index i : touched) {
       for (const Eigen::Index j : touched) {
         stiffness(i, j) += spring.stiffness * g[i] * g[j];
-        damping(i, j) += spring.damping * g[i] * g[j];
+        if (damped) damping(i, j) += spring.damping * g[i] * g[j];
       }
     }
   }
-  // Without a dashpot no shape is needed; the frequencies have the same bits.
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solved{
       stiffness, damped ? Eigen::ComputeEigenvectors : Eigen::EigenvaluesOnly};
   const double negligible = 1e-12 * std::max(0.0, solved.eigenvalues()[n - 1]);

@@ -27,7 +27,7 @@ RunOutputs outputs_of(const OutputRequest& request, const std::filesystem::path&
 }  // namespace
 
 SceneRun::SceneRun(const SceneFile& file, const std::filesystem::path& folder, const std::filesystem::path& scene,
-                   const OutputOptions& options, WatchedColumns watched)
+                   const OutputOptions& options, RecordedColumns recorded)
     : file_{&file},
       scene_{&file.scene},
       folder_{folder},
@@ -36,7 +36,7 @@ SceneRun::SceneRun(const SceneFile& file, const std::filesystem::path& folder, c
       run_state_{initial_run_state(file.scene.integrator, started(file.scene.initial))},
       seen_{dynamics_, run_state_.state},
       integrator_reason_{file.scene.integrator_reason},
-      recorder_{dynamics_, run_state_.state, file.scene.plan.ledger, std::move(watched)},
+      recorder_{dynamics_, run_state_.state, file.scene.plan.ledger, std::move(recorded)},
       failures_{dynamics_},
       watch_{file.scene, dynamics_, run_state_.state},
       overlap_warnings_{app::start_warnings(file, dynamics_)},

@@ -22,9 +22,10 @@ namespace talus::app {
 class SceneRun {
  public:
   /// With an empty `folder` nothing is written. `scene` is the scene's file, after which output files are named.
-  /// `watched`: see Recorder. `file` must outlive this object. Errors: InputError naming the scene's file; IoError.
+  /// `recorded`: see Recorder; record() needs all columns. `file` must outlive this object. Errors: InputError with the
+  /// scene's file; IoError.
   SceneRun(const SceneFile& file, const std::filesystem::path& folder, const std::filesystem::path& scene,
-           const OutputOptions& options, WatchedColumns watched = {});
+           const OutputOptions& options, RecordedColumns recorded = {});
 
   /// Saves or restores the complete state of the run; a run of the same scene continues from it.
   void serialize(Archive& archive);

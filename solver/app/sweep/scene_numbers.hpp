@@ -33,7 +33,7 @@ class SceneNumbers {
   SceneNumbers(const SceneFile& file, const std::vector<std::string>& names);
 
   const std::vector<SweepOutput>& outputs() const { return outputs_; }
-  /// Columns of the history that the run must watch, see Recorder.
+  /// Columns of the history that the run must record, in ascending order; see Recorder.
   [[nodiscard]] std::vector<std::size_t> columns() const;
   /// An observer of the run that collects what the run itself does not; none if it is not needed. This object and the
   /// run must outlive it.

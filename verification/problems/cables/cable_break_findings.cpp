@@ -383,6 +383,33 @@ void draw_hanger(Findings& findings) {
                    .lines = {{'x', exact.time, "break"}}});
 }
 
+/// Two equal cables from an anchor to a mass and back: when the hanger has broken, the chain begins and ends at one
+/// point, has no length, and its middle is at this point.
+void check_loop(Findings& findings) {
+  const Vec2 anchor{1.0, 2.0};
+  ModelBuilder builder;
+  const BodyId body = builder.add(Body{.name = "mass", .mass = mass, .inertia = 1.0, .p_WB = {1.0, 0.0}});
+  for (const char* const name : {"there", "back"})
+    builder.add(Cable{.name = name,
+                      .a = {std::nullopt, {anchor.x, anchor.y, 0.0}},
+                      .b = {body, {}},
+                      .rest_length = 1.0,
+                      .law = ElasticPlastic{.stiffness = stiffness}});
+  builder.add(Hanger{"hanger", body, {}, 0.5 * stiffness});
+  const Model model = builder.build();
+  const Dynamics dynamics{model};
+  RigidBodySystem system{dynamics};
+  State state = rest_state(model);
+  system.begin(state);
+  Workspace work = dynamics.workspace();
+  dynamics.update(state, work);
+  double farthest = 0.0;
+  for (std::size_t joint = 0; joint < dynamics.cables().joints().size(); ++joint)
+    keep_worst(farthest, norm(work.joints.p_WP(joint) - anchor));
+  findings.expect_exact("loop past a broken hanger: distance of its joints from the anchor, largest",
+                        work.topology.chains.empty() ? NAN : farthest, 0.0, "the chain has both its ends there", "m");
+}
+
 }  // namespace
 
 void check_breaking(Findings& findings, const Setup& setup) {
@@ -396,6 +423,7 @@ void check_hanger(Findings& findings, const Setup& setup) {
   check_merged(findings, setup);
   if (setup.coarse) return;
   check_merged_plastic(findings);
+  check_loop(findings);
   check_hanger_sides(findings, setup);
   check_hanger_exactly(findings, setup);
   draw_hanger(findings);

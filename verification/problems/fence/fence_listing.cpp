@@ -278,8 +278,8 @@ void check_number_format(Findings& findings, const Sample2Run& run) {
   }
   findings.expect_exact({"number_format", "numbers in G format with three digits that are printed otherwise"}, wrong,
                         0.0,
-                        "Fortran 77, 13.5.9.2.2: G prints a magnitude from 0.1 to below 10^d without exponent, with d "
-                        "digits, else as E does; 0.0994 and 999.6, which rounds to 1000, are just outside");
+                        "G prints a number that after rounding is from 0.1 to below 10^d without exponent, with d "
+                        "digits (Fortran 90); 0.0994 and 999.6, which rounds to 1000, are just outside");
 }
 
 /// One printed number with its deviation, or a dash if it is not compared.

@@ -106,7 +106,7 @@ void check_creeping(Findings& findings) {
 
 /// A rock that a moment turns on its way to the fence: the approach spin is that of the last step before the touch.
 void check_turning(Findings& findings) {
-  constexpr double step = 2e-5, end = 0.012, spin = 20.0, moment = 500.0;
+  constexpr double step = 2e-5, end = 0.012, spin = 20.0, moment = 500.0;  // [s], [s], [rad/s], [lbf ft]
   scenes::Fence fence = fence_with_light_rock();
   scenes::FenceElement& rock = fence.rocks[0];
   rock.position.x += 0.5, rock.spin = spin, rock.moment = moment;

@@ -70,9 +70,9 @@ std::vector<double> numbers_in(std::string_view text) {
   return found;
 }
 
-std::vector<double> numbers_after(const std::string& text, const std::string& before) {
+std::vector<double> numbers_on_line_after(const std::string& text, const std::string& before) {
   const std::size_t at = text.find(before);
-  if (at == std::string::npos) throw std::runtime_error("'" + before + "' is expected in a file");
+  if (at == std::string::npos) throw std::runtime_error("'" + before + "' is expected in the text");
   const std::size_t from = at + before.size();
   return numbers_in(std::string_view{text}.substr(from, text.find('\n', from) - from));
 }

@@ -60,7 +60,7 @@ class Program {
 [[nodiscard]] std::vector<double> numbers_in(std::string_view text);
 
 /// The numbers on the same line after the first occurrence of a text. Errors: std::runtime_error without one.
-[[nodiscard]] std::vector<double> numbers_after(const std::string& text, const std::string& before);
+[[nodiscard]] std::vector<double> numbers_on_line_after(const std::string& text, const std::string& before);
 
 /// Counts texts, numbers and files that differ from those expected, and keeps their names.
 class Differences {

@@ -332,9 +332,9 @@ void check_latching(const TemporaryFolder& folder, Findings& findings, const Set
                        "as requested; 200 phases as the printed table says");
 }
 
-/// The least restitution that a method with growth can give at a step, as the refusal of a lesser one states it: the
+/// The minimum restitution that a method with growth can give at a step, as the refusal of a smaller one states it: the
 /// minimum over K1/K2 of the leading-order restitution, in which the growth of loading and of unloading both count.
-void check_least_restitution(const TemporaryFolder& folder, Findings& findings) {
+void check_minimum_restitution(const TemporaryFolder& folder, Findings& findings) {
   constexpr double k1 = 2e4, disc = 1e-6, step_of = 1e-6;
   const double z1 = step_of * std::sqrt(k1 / (0.5 * disc));  // 0.2
   double worst = 0.0;
@@ -360,7 +360,7 @@ void check_least_restitution(const TemporaryFolder& folder, Findings& findings) 
         end.exit_code == 2 ? number_after(end.messages, "w1 h = 0.2: ") : std::numeric_limits<double>::quiet_NaN();
     keep_worst(worst, printed - restitution(0.5 * (low + high)));
   }
-  findings.expect("latching spring: least restitution in the refusal of a lesser one, largest error", worst, 0.0,
+  findings.expect("latching spring: minimum restitution in the refusal of a smaller one, largest error", worst, 0.0,
                   Tolerance::model(5.1e-5,
                                    "four digits are printed: half a unit of the last one. Without the growth of "
                                    "loading, the limit would be lower by 15 % (Euler) and 8 % (Taylor)"));
@@ -424,7 +424,7 @@ void run(Findings& findings, const Setup& setup) {
   if (setup.needs("over the exact one") || setup.needs("second program")) check_numbers(folder, findings, setup);
   if (setup.needs("latching")) {
     check_latching(folder, findings, setup);
-    check_least_restitution(folder, findings);
+    check_minimum_restitution(folder, findings);
   }
   if (setup.needs("falling")) check_weight(folder, findings, setup);
   if (setup.needs("error")) check_step(folder, findings, setup);

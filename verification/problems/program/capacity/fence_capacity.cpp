@@ -210,8 +210,9 @@ void check_ends(const Program& program, Differences& differ) {
     differ.compare("a mass of which all are stopped", line.at("speed").at(1).is_null(), is_above);
     differ.compare("its last runs", line.at("not_stopped").is_null(), is_above);
   }
-  // In cells of 1 m/s from 4.4 m/s on, no node is closer than 0.3 m/s to a speed at which the cable breaks, which the
-  // changes of a node and the column vary by less than 0.1 m/s: a mass is stopped up to the last node below its speed.
+  // In cells of 1 m/s from 4.4 m/s on, no node is closer than 0.3 m/s to the speed at which the cable breaks for one of
+  // the five masses listed, which the changes of a node and the column vary by less than 0.1 m/s: a mass is stopped up
+  // to the last node below its speed.
   constexpr double lowest = 4.4;
   std::size_t at_lowest = 0;
   for (const Json& line : boundary("lowest", "4.4 m/s", "12.4 m/s")) {

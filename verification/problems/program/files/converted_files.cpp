@@ -385,9 +385,10 @@ void check_after(const TemporaryFolder& folder, Findings& findings, const Setup&
     if (!(stretch > 0.0)) continue;
     ++count;
     const std::string before = fmt::format("cable = \"{}\"\nstretch = \"", cable.at("name").text());
-    keep_worst(once, numbers_after(second, before).at(0) / stretch - 1.0);
-    keep_worst(twice,
-               numbers_after(third, before).at(0) / ((setup.has("first_rock_alone") ? 1.0 : 2.0) * stretch) - 1.0);
+    keep_worst(once, numbers_on_line_after(second, before).at(0) / stretch - 1.0);
+    keep_worst(
+        twice,
+        numbers_on_line_after(third, before).at(0) / ((setup.has("first_rock_alone") ? 1.0 : 2.0) * stretch) - 1.0);
   }
   findings.expect_between("plastically elongated cables after the first rock", count, 3.0, 14.0,
                           "the weak top cable has seven segments in each of two layers");

@@ -42,7 +42,7 @@ void check_lammps(const TemporaryFolder& folder, Findings& findings, const Setup
   constexpr double latching_stiffness = 1.7e4;
   folder.write("ice.toml", records::read_whole(case_file("cell/ice.toml")));
   (void)talus_output(folder, {"export", "lammps", "ice.toml", "--dashpot", "--out", "ice"});
-  const std::vector<double> replaced = numbers_after(folder.read("ice/in.discs"), "pair_coeff * * hooke");
+  const std::vector<double> replaced = numbers_on_line_after(folder.read("ice/in.discs"), "pair_coeff * * hooke");
   folder.write("rough.toml", records::read_whole(case_file("cell/rough.toml")));
   (void)talus_output(folder, {"export", "lammps", "rough.toml", "--out", "lammps"});
   const std::string input = folder.read("lammps/in.discs"), data = folder.read("lammps/discs.data");
@@ -50,7 +50,7 @@ void check_lammps(const TemporaryFolder& folder, Findings& findings, const Setup
       Tolerance::round_off(5e-15, "about ten roundings on either side, 1.1e-16 each, in 17 digits; twice that");
   double law = 0.0, run = 0.0;
   const auto compare = [&](double& worst, const std::string& before, const std::vector<double>& exact) {
-    const std::vector<double> found = numbers_after(input, before);
+    const std::vector<double> found = numbers_on_line_after(input, before);
     keep_worst(worst, static_cast<double>(found.size()) - static_cast<double>(exact.size()));
     for (std::size_t k = 0; k < std::min(found.size(), exact.size()); ++k)
       keep_worst(worst, exact[k] != 0.0 ? found[k] / exact[k] - 1.0 : found[k]);
@@ -78,10 +78,10 @@ void check_lammps(const TemporaryFolder& folder, Findings& findings, const Setup
   (void)talus_output(folder, {"export", "lammps", "rough.toml", "--steps", "4003", "--out", "prime"});
   const std::string shorter = folder.read("prime/in.discs");
   findings.expect("in.discs of 4003 steps: first step of the means",
-                  numbers_after(shorter, "print \"means after step").at(0), 1000.0,
+                  numbers_on_line_after(shorter, "print \"means after step").at(0), 1000.0,
                   Tolerance::exact("they leave out the first quarter of the given steps, not of the scene's"));
   findings.expect("in.discs of 4003 steps: steps between two samples of the contacts",
-                  numbers_after(shorter, "fix mean_contact all ave/time").at(0), 1.0,
+                  numbers_on_line_after(shorter, "fix mean_contact all ave/time").at(0), 1.0,
                   Tolerance::exact("it divides the number of steps, which is prime"));
   double pushing = 0.0;
   for (const char* const types : {"2 2", "2 3", "3 3"})
@@ -140,8 +140,8 @@ void check_spheres(const TemporaryFolder& folder, Findings& findings, const Setu
     folder.write("spheres.toml", scene);
     (void)talus_output(folder, {"export", "lammps", "spheres.toml", "--out", "spheres"});
     input = folder.read("spheres/in.discs");
-    const std::vector<double> normal = numbers_after(input, "pair_coeff * * hertz");
-    const std::vector<double> found = numbers_after(input, "tangential mindlin_rescale/force");
+    const std::vector<double> normal = numbers_on_line_after(input, "pair_coeff * * hertz");
+    const std::vector<double> found = numbers_on_line_after(input, "tangential mindlin_rescale/force");
     if (found.size() != 3 || normal.size() < 2) {
       worst = NAN;
       continue;

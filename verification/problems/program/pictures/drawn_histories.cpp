@@ -91,7 +91,7 @@ double check_default_histories(const Pictures& program, Differences& differ) {
                  Names{"history_y.pdf", "history_y.png", "history_y.svg"});
   check_formats(program, "out/plots/history_y", {"pdf", "png", "svg"}, differ);
   (void)program.run({"plot", "out"}, {{"--history", {"y"}}, {"--all", {}}, {"--name", {"every"}}});
-  // Range of y over the states: the largest is that of disc 1 or 10, whose way up or down is longest.
+  // Range of y over the states: the largest is that of disc 1 or 10, whose displacement up or down is largest.
   std::vector<std::pair<double, int>> ranges;
   for (int i = 1; i <= discs; ++i) {
     double low = 0.0, high = 0.0;
@@ -123,21 +123,22 @@ double check_default_histories(const Pictures& program, Differences& differ) {
   // Of two runs the four quantities with the largest range, each of both runs.
   fs::copy(program.folder().path() / "out", program.folder().path() / "again", fs::copy_options::recursive);
   (void)program.run({"plot", "out", "again"}, {{"--history", {"y"}}, {"--format", {"svg"}}, {"--out", {"both"}}});
-  Names of_both;
-  for (const std::string run : {"out", "again"})
-    for (std::size_t k = 0; k < 4; ++k)
-      of_both.insert(fmt::format("{}, {}", run, name_of(ranges[k].second)));
-  differ.compare("plot: curves of two runs with the largest range", drawn("both/history_y.svg"), of_both);
+  const auto widest_of = [&](const std::vector<std::string>& runs) {
+    Names found;
+    for (const std::string& run : runs)
+      for (std::size_t k = 0; k < 4; ++k)
+        found.insert(fmt::format("{}, {}", run, name_of(ranges[k].second)));
+    return found;
+  };
+  differ.compare("plot: curves of two runs with the largest range", drawn("both/history_y.svg"),
+                 widest_of({"out", "again"}));
 
-  // A shorter run has a part of each way, so that the largest ranges of both are those of the whole one. In its 0.25 s
+  // A shorter run has a part of each path, so that the largest ranges of both are those of the whole one. In 0.25 s
   // disc 1 returns to its start, (1 + 1/4)/4 - 5/16 = 0, and is not among the first four of that run alone.
   (void)talus_output(program.folder(), {"run", "scene.toml", "--end", "0.25 s", "--out", "short"});
   (void)program.run({"plot", "out", "short"}, {{"--history", {"y"}}, {"--format", {"svg"}}, {"--out", {"unequal"}}});
-  Names of_unequal;
-  for (const std::string run : {"out", "short"})
-    for (std::size_t k = 0; k < 4; ++k)
-      of_unequal.insert(fmt::format("{}, {}", run, name_of(ranges[k].second)));
-  differ.compare("plot: curves of two unequal runs with the largest range", drawn("unequal/history_y.svg"), of_unequal);
+  differ.compare("plot: curves of two unequal runs with the largest range", drawn("unequal/history_y.svg"),
+                 widest_of({"out", "short"}));
 
   (void)program.run({"plot", "out"}, {{"--all", {}}, {"--format", {"svg"}}, {"--out", {"whole"}}});
   const Picture positions = program.picture("whole/positions.svg");
@@ -157,9 +158,9 @@ double check_default_histories(const Pictures& program, Differences& differ) {
 void check_largest_numbers(const Pictures& program, Differences& differ) {
   const auto plot = [&](const std::string& columns, const std::string& divisions) {
     return run_talus(program.folder(),
-                     {"plot", "out", "--history", "x,y,vx,vy", "--apart", "--columns", columns, "--x-limits", "0",
-                      "100", "--y-limits", "-100", "100", "--divisions", divisions, divisions, "--format", "svg",
-                      "--out", "largest", "--name", "most"},
+                     {"plot",     "out", "--history",  "x,y,vx,vy", "--apart", "--columns",   columns,   "--x-limits",
+                      "0",        "100", "--y-limits", "-100",      "100",     "--divisions", divisions, divisions,
+                      "--format", "svg", "--out",      "largest",   "--name",  "most"},
                      recorded_pictures());
   };
   differ.compare("plot: exit status with the largest numbers", plot("6", "100").exit_code, 0);
@@ -169,8 +170,8 @@ void check_largest_numbers(const Pictures& program, Differences& differ) {
   for (const Panel& panel : picture.panels) {
     margins.insert(panel.left);
     // Both windows over a hundred parts: 100/100 and 200/100.
-    differ.compare("plot: most divisions of the abscissa", panel.x_tics, Numbers{0.0, 1.0});
-    differ.compare("plot: most divisions of the ordinate", panel.y_tics, Numbers{-100.0, 2.0});
+    differ.compare("plot: maximum divisions of the abscissa", panel.x_tics, Numbers{0.0, 1.0});
+    differ.compare("plot: maximum divisions of the ordinate", panel.y_tics, Numbers{-100.0, 2.0});
   }
   differ.compare("plot: four panels in six columns", margins.size(), 4UL);
   differ.ended("plot: seven columns", plot("7", "100"), 2, "found 7; it must be a whole number between 1 and 6");

@@ -13,16 +13,17 @@
 namespace talus::verification::problems::picture_options {
 
 inline constexpr int discs = 10;
-inline constexpr double radius = 0.2, step = 0.05;      ///< of a disc [m]; of the run and its rows [s]
-inline constexpr int steps = 20, steps_shown = 10;      ///< of the run, and up to the time of --until
+inline constexpr double radius = 0.2, step = 0.05;                ///< of a disc [m]; of the run and its rows [s]
+inline constexpr int steps = 20, steps_shown = 10;                ///< of the run, and up to the time of --until
 inline constexpr double rope_y = 9.0, near_z = 0.5, far_z = 1.0;  ///< of the ends of the cable [m]
 
+/// Discs count from 1.
 [[nodiscard]] std::string name_of(int disc);
 
-/// A quantity (x, y [m], vx, vy [m/s]) of a disc at time t.
+/// A quantity (x, y [m], vx, vy [m/s]) of a disc at time t [s].
 [[nodiscard]] double exact(const std::string& quantity, int disc, double t);
 
-/// The scene: discs in free fall, the first on a slack cable, with steps of this length [s].
+/// The scene: discs in free fall for 1 s, the first on a slack cable, with steps and rows of this length [s].
 [[nodiscard]] std::string scene_text(double each = step);
 
 using Names = std::set<std::string>;

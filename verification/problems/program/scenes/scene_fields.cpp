@@ -379,7 +379,7 @@ void check_placed(const TemporaryFolder& folder, Findings& findings, const Setup
   findings.expect_true("title and balance of the summary",
                        ledger && summary.at("title") == "Bodies placed with overlaps",
                        "the title of the scene; a balance is requested");
-  // A slash divides by the next unit alone, whatever follows after a blank: the same numbers in units with other texts.
+  // A slash divides by the next unit alone, whatever follows: the same numbers in units with other texts.
   std::string divided = placed;
   for (const auto& [unit, other] :
        {std::pair{"\"3 N s/m\"", "\"3 N/m s\""}, std::pair{"\"2 N s/m\"", "\"2 N/m*s\""},
