@@ -105,7 +105,8 @@ void CableForces::straighten(Chain& chain, const State& state, Workspace& work) 
     along += length;
     if (i + 1 == chain.cables.size()) break;
     const double part = whole.length > 0.0 ? std::clamp(along / whole.length, 0.0, 1.0) : 1.0;
-    const Vec2 p_WFrom = chain.start == Chain::Start::held ? p_WStart : p_WEnd;
+    const bool held = chain.start == Chain::Start::held;
+    const Vec2 p_WFrom = held ? p_WStart : p_WEnd;
     work.joints.set(chain.joints[i + 1], p_WFrom + part * (p_WEnd - p_WFrom), {});
   }
   if (chain.start != Chain::Start::held) work.joints.set(first, p_WEnd, {});
