@@ -11,6 +11,7 @@
 
 #include "verification/check/case.hpp"
 #include "verification/check/case_file.hpp"
+#include "verification/problems/program/files/animation_page.hpp"
 #include "verification/record/csv.hpp"
 #include "verification/record/json_node.hpp"
 #include "verification/record/whole_file.hpp"
@@ -505,54 +506,6 @@ void check_beside(const TemporaryFolder& folder, const std::string& deck, Findin
                        "with sleep exact a column wakes as soon as a pull on it changes by a bit: the same bytes");
 }
 
-/// Data of the animation page: outlines of bodies relative to their positions, ends of cables, in six digits.
-void check_player(const TemporaryFolder& folder, Findings& findings, const Setup& setup) {
-  (void)talus_output(folder, {"animate", "out"});
-  const std::string page = folder.read("out/plots/animation.html"), begin = "id=\"data\">";
-  const std::size_t from = page.find(begin) + begin.size();
-  const Json data = Json::parse(page.substr(from, page.find("</script>", from) - from));
-  const Node player{data, "animation.html"};
-  const std::vector<GeometryState> states = geometry_states(folder, "out", "fence");
-  const std::vector<Node> frames = player.at("frames").list(), bodies = player.at("bodies").list();
-  findings.expect("animation: frames", static_cast<double>(frames.size()), static_cast<double>(states.size()),
-                  Tolerance::exact("one for each state of the geometry"));
-  Worst outlines, cables;
-  for (std::size_t f = 0; f < std::min(frames.size(), states.size()); ++f) {
-    const std::string& text = states[setup.has("frame_one_late") ? (f + 1) % states.size() : f].text;
-    const std::vector<double> points = data_array(text, "Points"), offsets = data_array(text, "offsets"),
-                              tensions = data_array(text, "tension");
-    outlines.compare(frames[f].at("t").number(), states[f].time, states.back().time);
-    const std::vector<Node> poses = frames[f].at("bodies").list(), lines = frames[f].at("cables").list();
-    std::size_t point = 0;
-    for (std::size_t line = 0; line < offsets.size(); ++line) {
-      const auto past = static_cast<std::size_t>(offsets[line]);
-      if (line < bodies.size()) {
-        const std::vector<Node> outline = bodies[line].at("outline").list(), pose = poses.at(line).list();
-        const double x = pose.at(0).number(), y = pose.at(1).number(), c = std::cos(pose.at(2).number()),
-                     s = std::sin(pose.at(2).number());
-        // The animation draws the ground longer than the VTK file does.
-        const bool ground = bodies[line].at("kind").text() == "ground";
-        for (std::size_t i = 0; point < past; ++point, ++i) {
-          if (ground) continue;
-          const double u = outline.at(i).list().at(0).number(), v = outline[i].list().at(1).number();
-          outlines.compare(x + c * u - s * v, points.at(3 * point), 1.0);
-          outlines.compare(y + s * u + c * v, points.at(3 * point + 1), 1.0);
-        }
-        continue;
-      }
-      const std::vector<Node> cable = lines.at(line - bodies.size()).list();
-      for (std::size_t i = 0; point < past; ++point)
-        for (std::size_t axis = 0; axis < 3; ++axis, ++i)
-          cables.compare(cable.at(i).number(), points.at(3 * point + axis), 30.0);
-      cables.compare(cable.at(6).number(), tensions.at(line), 1e5);
-    }
-  }
-  findings.expect("animation: outlines of the bodies, largest error", outlines.error(), 0.0,
-                  Tolerance::model(1.5e-5, "six digits: 5e-6 for each of two lengths and for an angle of up to 3.2"));
-  findings.expect("animation: ends and tensions of the cables, largest error", cables.error(), 0.0,
-                  Tolerance::model(5.1e-6, "half a unit of the sixth digit"));
-}
-
 void run(Findings& findings, const Setup& setup) {
   const auto group = findings.in("rocks");
   const TemporaryFolder folder;
@@ -564,7 +517,7 @@ void run(Findings& findings, const Setup& setup) {
   const bool sheet_is_needed = setup.needs("sheet: ");
   if (sheet_is_needed) arguments.emplace_back("--sheet");
   const std::string printed = talus_output(folder, arguments);
-  if (setup.needs("animation")) check_player(folder, findings, setup);
+  if (setup.needs("animation")) check_animation_page(folder, findings, setup);
   if (setup.needs("alone")) check_alone(folder, deck, findings, setup);
   if (setup.needs("history by codes")) check_codes(folder, deck, findings), check_loads(folder, deck, findings);
   if (setup.needs("blocks: ")) check_blocks(folder, deck, findings);
