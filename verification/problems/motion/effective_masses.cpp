@@ -236,6 +236,31 @@ void check_friction(bool squares, double gap, bool follows, Findings& findings) 
   }
 }
 
+/// Checks the spring of a contact by Hunt & Crossley's law, F = k d (d/r)^(n - 1) (1 + a dd/dt), at its reference
+/// overlap r: the derivatives of F with respect to d and dd/dt are n k and a k r.
+void check_power_law(Findings& findings) {
+  constexpr double disc_mass = 0.6, reference_overlap = 0.02, hysteresis = 0.3;
+  const auto rounding =
+      Tolerance::round_off(2e-15, "about ten products, quotients and roots, each rounded by 1.1e-16").relative();
+  for (const double n : {1.5, 3.0}) {
+    SceneBuilder builder;
+    const BodyId plane = builder.add_fixed("plane", HalfPlane{});
+    const BodyId disc = builder.add_particle("disc", disc_mass, {0.0, 0.5}, Circle{0.5});
+    builder.add_contact("touch", disc, plane, HuntCrossley{stiffness, reference_overlap, n, hysteresis});
+    const Scene scene = builder.at_rest("Disc on a plane");
+    record_use(scene.model);
+    const Dynamics dynamics{scene.model};
+    const SpringAdvice spring = advise_step(dynamics, scene.initial).springs.front();
+    const std::string law = fmt::format("contact by hunt_crossley, n = {:g}", n);
+    const double frequency = std::sqrt(n * stiffness / disc_mass);
+    findings.expect({"springs", "frequency of a " + law}, spring.frequency, frequency, rounding, "rad/s");
+    findings.expect({"springs", "damping ratio of a " + law}, spring.damping_ratio,
+                    hysteresis * stiffness * reference_overlap / (2.0 * disc_mass * frequency), rounding);
+    findings.expect({"springs", "duration of a " + law}, spring.contact_time, std::numbers::pi / frequency, rounding,
+                    "s");
+  }
+}
+
 /// Checks the smallest effective mass of a contact over all positions, between the body and a disc that cannot turn.
 /// The bound of a guided body holds for all its angles and is not reached at this one.
 void check_bound(Mobility mobility, Findings& findings, const Setup& setup) {
@@ -282,6 +307,7 @@ void check_outer_pin(Findings& findings) {
 
 void run(Findings& findings, const Setup& setup) {
   check_outer_pin(findings);
+  check_power_law(findings);
   for (const double gap : {0.0, 10.0})
     check_friction(false, gap, false, findings);
   check_friction(false, 0.0, true, findings);
