@@ -205,11 +205,29 @@ void check_segments(Findings& findings) {
       4e-15, "positions of 3 m, rounded to 2.2e-16, turned twice: eight roundings", "m");
 }
 
+/// Overlap of superquadrics with a plane and a slope, which are displaced and turned. The point of the outline that is
+/// farthest along (1/a, 1/b), in its axes, is (a, b)/2^(1/n), because x/a + y/b is largest where both powers are equal.
+void check_superquadrics(Findings& findings) {
+  constexpr double a = 0.75, b = 0.5, depth = 0.125;
+  double worst = 0.0;
+  for (const double n : {2.0, 4.0, 9.0}) {
+    Pose ground, body;
+    ground.p_WB = {3.0, -2.0}, ground.R_WB = rotation(0.2);
+    body.R_WB = rotation(0.2 + 0.5 * std::numbers::pi - std::atan2(1.0 / b, 1.0 / a));
+    const double height = 2.0 * std::pow(0.5, 1.0 / n) / std::hypot(1.0 / a, 1.0 / b) - depth;
+    body.p_WB = ground.p_WB + ground.R_WB * Vec2{0.7, height};
+    for (const Shape& under : {Shape{HalfPlane{}}, Shape{Terrain{{{-4.0, 0.0}, {4.0, 0.0}}}}})
+      keep_worst(worst, penetration(Superquadric{a, b, n}, body, under, ground) - depth);
+  }
+  findings.expect_round_off("overlap of superquadrics with a plane and with a slope, largest error", worst, 0.0, 8e-15,
+                            "as for a disc, with a power and a root for each half axis: sixteen roundings", "m");
+}
+
 void run_all(Findings& findings, const Setup& setup) {
   check_straight(findings, setup);
   check_crest(findings, setup);
   check_notch(findings, setup);
-  if (!setup.coarse) check_peak(findings), check_segments(findings);
+  if (!setup.coarse) check_peak(findings), check_segments(findings), check_superquadrics(findings);
 }
 
 }  // namespace
