@@ -58,6 +58,42 @@ Scene flight(double before, double frequency, double pull = 0.0) {
   return scene;
 }
 
+/// Two discs, the second twice as fast, that fly towards a fixed disc each, of the same radius and 18 r away.
+Scene two_flights() {
+  SceneBuilder builder;
+  std::vector<BodyId> stones;
+  for (const auto& [name, y] : {std::pair{"slow", 0.0}, {"fast", 10.0 * radius}}) {
+    const BodyId post = builder.add_fixed(fmt::format("{}_post", name), Circle{radius}, {20.0 * radius, y});
+    stones.push_back(builder.add_particle(fmt::format("{}_stone", name), 1.0, {0.0, y}, Circle{radius}));
+    builder.add_contact(name, post, stones.back(), LinearSpringDashpot{0.25, 0.0, EndRule::clamped});
+  }
+  Scene scene = builder.at_rest("Two flights");
+  set_velocity(scene.model, scene.initial, stones[0], {1.0, 0.0}, 0.0);
+  set_velocity(scene.model, scene.initial, stones[1], {2.0, 0.0}, 0.0);
+  return scene;
+}
+
+/// Checks the report of bodies that overlap at the start without a contact between them: of four discs in a row, half a
+/// radius apart, the first five of six pairs, deepest first.
+void check_undeclared(Findings& findings) {
+  SceneBuilder builder;
+  for (int i = 0; i < 4; ++i)
+    builder.add_particle(fmt::format("disc{}", i), 1.0, {0.5 * radius * i, 0.0}, Circle{radius});
+  Scene scene = builder.at_rest("Discs without contacts");
+  scene.plan = {1.0, 1.0, 1.0};
+  const Dynamics dynamics{scene.model};
+  const RunMonitor watch{scene, dynamics, scene.initial};
+  const std::vector<std::string>& said = watch.start_warnings();
+  findings.expect_true("deep overlap: report of five of six pairs without a contact, with their overlaps",
+                       said.size() == 5 &&
+                           said[0].starts_with("at t = 0 bodies 'disc0' and 'disc1' overlap by 150 %") &&
+                           said[4].starts_with("at t = 0 bodies 'disc1' and 'disc3' overlap by 100 %") &&
+                           said[4].ends_with("; further pairs are not reported"),
+                       "2 r less 0.5 r and r, over r; further pairs are counted, not reported");
+  findings.expect_exact("deep overlap: pairs without a contact that overlap",
+                        static_cast<double>(watch.undeclared_overlaps().size()), 6.0, "each two of four discs");
+}
+
 /// Number of phases, of 64, in which the disc passes through the other with its speed bit-identical.
 int unseen_passes(double step, Findings& findings) {
   int passes = 0;
@@ -235,6 +271,12 @@ FailureFound check_long_step(Findings& findings, const Setup& setup) {
       "long step: permitted step of rotating bars against half their widths over the speed of their ends, largest "
       "relative error",
       spinning_error(), 0.0, 1e-15, "about six operations");
+  findings.expect_true(
+      "long step: contact and numbers in the refusal of two flights, the second at v h = 1.5 r",
+      watched_run(two_flights(), 0.75 * radius, 0.75 * radius, rules, findings).violation ==
+          "at t = 0 the bodies of contact 'fast' may pass each other unseen: a step is 1.5 times the longest in which "
+          "they cannot; it must be below 0.5",
+      "the first disc travels 0.75 r in a step; the second r in half a unit of time");
   // Contacts of fewer than ten steps must be reported.
   const auto contact_of = [&](double steps) {
     const MonitorRules by{
@@ -317,6 +359,7 @@ FailureFound check_deep_overlap(Findings& findings, const Setup& setup) {
       std::pow(0.005 / 1.8, 2) / 8.0, 1.0,
       "the disc reverses before the middle; the leapfrog changes the speed of a bounce by at most a fraction (w "
       "h)^2/8");
+  check_undeclared(findings);
   return {fmt::format("v/w = 1.1 of r/2: ended; monitor off, 1.1 of 2 r: passes at {:.2f} v", through),
           fmt::format("v/w = 0.9 of r/2: not ended; monitor off, 0.9 of 2 r: {:.2f} v", back)};
 }
