@@ -6,6 +6,7 @@
 #include <numbers>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -15,6 +16,7 @@
 #include "verification/record/json_node.hpp"
 #include "verification/record/whole_file.hpp"
 #include "verification/study/findings/expectations.hpp"
+#include "verification/study/program/program_options.hpp"
 #include "verification/study/program/program_run.hpp"
 
 namespace talus::verification::problems::fence_files {
@@ -28,16 +30,17 @@ using Vector = std::array<double, 3>;
 // International foot and avoirdupois pound, exact by definition (1959), and standard gravity.
 constexpr double metre = 0.3048, newton = 0.45359237 * 9.80665, kilogram = newton / metre, joule = newton * metre;
 
+void replace(std::string& text, const std::string& old, const std::string& with) {
+  const std::size_t at = text.find(old);
+  if (at == std::string::npos) throw std::runtime_error("'" + old + "' is expected in a scene");
+  text.replace(at, old.size(), with);
+}
+
 /// The scene of Table 2 with its spin in revolutions per minute.
 std::string scene_text(const Setup& setup) {
   std::string text = records::read_whole(case_file("fence/table_2.toml"));
-  const auto replace = [&text](const std::string& old, const std::string& with) {
-    const std::size_t at = text.find(old);
-    if (at == std::string::npos) throw std::runtime_error("table_2.toml: '" + old + "' is expected in it");
-    text.replace(at, old.size(), with);
-  };
-  replace("spin = \"34 rad/s\"", fmt::format("spin = \"{} rpm\"", 34.0 * 30.0 / std::numbers::pi));
-  if (setup.has("slower_rock")) replace("-65 ft/s", "-64.99 ft/s");
+  replace(text, "spin = \"34 rad/s\"", fmt::format("spin = \"{} rpm\"", 34.0 * 30.0 / std::numbers::pi));
+  if (setup.has("slower_rock")) replace(text, "-65 ft/s", "-64.99 ft/s");
   return text;
 }
 
@@ -187,6 +190,88 @@ void check_anchor(const TemporaryFolder& folder, const Node& sheet, Findings& fi
                           "between two states the force exceeds both by less than it falls to the next state");
 }
 
+/// The sample fence with contacts by resultants and a top cable that yields, and a second rock whose numbers all
+/// differ. Away from the fence, it is held in y and turns about its fixed point.
+std::string numbered_text() {
+  std::string text = records::read_whole(case_file("fence/sample2.toml"));
+  replace(text, "rules = \"1993\"\n", "");
+  replace(text, "limit_top = \"100000000 lbf\"", "limit_top = \"30000 lbf\"");
+  replace(text, "history_every = 30", "history_every = 1");
+  replace(text, "[51, 52, 48, 6, 7, 8, 35, 36]", "[3, 4, 5, 18, 21, 34, 47, 60]");
+  replace(text, "[fence.column]", R"([[fence.rock]]
+a = "1.1 ft"
+b = "1.1 ft"
+density = "5.13 slug/ft^3"
+angle = "0.2 rad"
+spin = "2 rad/s"
+moment = "50 lbf ft"
+position = ["20 ft", "30 ft"]
+velocity = ["-1 ft/s", "0 ft/s"]
+force = ["-300 lbf", "200 lbf"]
+fixed_point = ["0.3 ft", "-0.4 ft"]
+held = ["y"]
+
+[fence.column])");
+  return text + "\n[fence.options]\nhardening = 0.02\n";
+}
+
+/// Histories by codes of positions, of numbers of the deck, and of cables, and the rows of a rock in the listing.
+void check_codes(const TemporaryFolder& folder, Findings& findings) {
+  folder.write("numbers.toml", numbered_text());
+  (void)talus_output(folder, {"run", "numbers.toml", "--out", "numbers", "--end", "15 ms"});
+  const Csv codes = records::read_csv(folder.path() / "numbers/numbers.history.csv"),
+            history = records::read_csv(folder.path() / "numbers/history.csv");
+  const auto code = [&](int element, const char* of) {
+    return column(codes, fmt::format("element{}.{}", element, of));
+  };
+  double differing = 0.0, deck = 0.0, lengths = 0.0, stretches = 0.0, largest = 0.0;
+  for (const auto& [element, body] : {std::pair{2, "rock1"}, {3, "rock2"}, {4, "column1"}, {5, "column2"}})
+    for (const auto& [of, quantity] : {std::pair{"x", "x"}, {"y", "y"}, {"theta", "angle"}})
+      differing += code(element, of) == column(history, fmt::format("{}.{}", body, quantity)) ? 0.0 : 1.0;
+  findings.expect("numbers by codes: positions and rotations that differ from those of their bodies", differing, 0.0,
+                  Tolerance::exact("the same numbers, written twice"));
+  for (const auto& [element, force, held, fixed_point] : {std::tuple{2, 0.0, 0.0, 0.0}, {3, 200.0, 1.0, -0.4}}) {
+    keep_worst(deck, code(element, "applied_force_y").back() - force);
+    keep_worst(deck, code(element, "held_y").back() - held);
+    keep_worst(deck, code(element, "fixed_point_y").back() - fixed_point);
+  }
+  findings.expect("numbers by codes: numbers of the rocks' records, largest error", deck, 0.0,
+                  Tolerance::round_off(1e-13, "two roundings of numbers up to 200, 2.8e-14 each"));
+  // Columns are 2.5 ft apart along the fence; bottom joints are 4 ft below their centres.
+  const auto joint = [&](int number, std::size_t row) {
+    const auto of = [&](const char* what) { return column(history, fmt::format("column{}.{}", number, what))[row]; };
+    return std::array{of("x") + 4.0 * std::sin(of("angle")), of("y") - 4.0 * std::cos(of("angle"))};
+  };
+  const Json state = records::read_json(folder.path() / "numbers/final_state.json");
+  for (const int number : {1, 2, 3}) {
+    const std::vector<double> length = code(number + 3, "bottom_length");
+    for (const std::size_t row : {std::size_t{0}, length.size() / 2, length.size() - 1}) {
+      const auto [x, y] = joint(number, row);
+      const auto [next_x, next_y] = joint(number + 1, row);
+      keep_worst(lengths, length[row] / std::hypot(next_x - x, next_y - y, 2.5) - 1.0);
+    }
+    for (const Json& cable : state.at("cables")) {
+      if (cable.at("name") != fmt::format("top{}", number)) continue;
+      const double stretch = cable.at("plastic_stretch").get<double>();
+      keep_worst(stretches, code(number + 3, "top_plastic_stretch").back() - stretch), keep_largest(largest, stretch);
+    }
+  }
+  findings.expect("numbers by codes: lengths of bottom cables from the positions of the columns, largest error",
+                  lengths, 0.0, Tolerance::round_off(5e-15, "twenty roundings of lengths up to 8 ft, 1.1e-16 each"));
+  findings.expect(
+      "numbers by codes: plastic elongations less those of the final state, over the largest, largest error",
+      stretches / largest, 0.0,
+      Tolerance::round_off(1e-12, "the same state, whose modes are updated twice; the first segment has yielded"));
+  // By columns of the listing: x, y, theta, vx, vy, spin, fx, fy, moment; then what is held, and the fixed point.
+  const std::string listing = squeezed(folder.read("numbers/numbers.OUT"));
+  Differences rows;
+  rows.contains("initial conditions", listing,
+                "\n 3 .200E+02 .300E+02 .200E+00 -.100E+01 .000E+00 .200E+01 -.300E+03 .200E+03 .500E+02\n");
+  rows.contains("fixities", listing, "\n 3 0 1 0 .300E+00 -.400E+00\n");
+  rows.expect_none(findings, "numbers by codes: rows of the second rock in the listing that differ",
+                   "numbers of the scene with three digits, in the order of the deck's record");
+}
+
 void run(Findings& findings, const Setup& setup) {
   const auto group = findings.in("fence");
   const TemporaryFolder folder;
@@ -202,6 +287,7 @@ void run(Findings& findings, const Setup& setup) {
   check_elements(history, codes, findings);
   check_fence(sheet, history, findings);
   check_anchor(folder, sheet, findings, setup);
+  if (setup.needs("by codes")) check_codes(folder, findings);
 }
 
 }  // namespace
@@ -213,7 +299,7 @@ Case definition() {
       .requirements = {{"G4", {"fence"}}},
       .main_checks = {"sheet: impulse of the anchor from the states of the geometry, largest error of three components",
                       "sheet: energy of approach"},
-      .source = "Mustoe & Huttelmaier 1993, Table 2 (scene)",
+      .source = "Mustoe & Huttelmaier 1993, Table 2 and sample deck (scenes)",
       .faults = {{"slower_rock", "a rock of 64.99 ft/s", "sheet: velocity of approach"},
                  {"cable_pushes", "cables that push on the anchor",
                   "sheet: impulse of the anchor from the states of the geometry, largest error of three components"}},
