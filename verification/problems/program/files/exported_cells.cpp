@@ -89,6 +89,22 @@ void check_lammps(const TemporaryFolder& folder, Findings& findings, const Setup
   findings.expect("in.discs: pairs of walls whose discs would push each other", pushing, 0.0,
                   Tolerance::exact("base and block, types 2 and 3: each with itself and with the other"));
 
+  // LAMMPS repeats what is between the ends of its box; each wall follows its fixes, in their order.
+  double missing = 0.0, box = 0.0;
+  for (const char* const command :
+       {"boundary p s p", "fix hold1 wall1 setforce 0.0 0.0 0.0", "fix guide2 wall2 setforce 0.0 NULL 0.0",
+        "fix together2 wall2 aveforce NULL 0.0 NULL"})
+    missing += input.find(fmt::format("\n{}\n", command)) == std::string::npos ? 1.0 : 0.0;
+  findings.expect("in.discs: commands of the borders and the walls that are missing", missing, 0.0,
+                  Tolerance::exact("the cell repeats along x; the base is held, the block moves at its speed along x, "
+                                   "and along y as one body"));
+  const std::vector<double> ends = numbers_on_line_after(data, "3 atom types\n\n");
+  keep_worst(box, static_cast<double>(ends.size()) - 2.0);
+  for (std::size_t i = 0; i < std::min<std::size_t>(ends.size(), 2); ++i)
+    keep_worst(box, ends[i] / ((i == 0 ? -0.5 : 0.5) * width) - 1.0);
+  findings.expect("discs.data: ends of the box along x over half the width of the cell, largest error", box, 0.0,
+                  round_off);
+
   // Atoms: number, type, diameter, density, x, y, z. The mass of a sphere is density pi d^3/6.
   std::istringstream atoms{data.substr(data.find("Atoms # sphere") + 14)};
   double masses = 0.0, positions = 0.0, block = 0.0;
