@@ -280,7 +280,7 @@ void check_refused_decks(const TemporaryFolder& folder, Findings& findings) {
                        "exit status 2, the field in the message, and no file");
 }
 
-/// Values that follow from others: mass and duration, and options that rules = "1993" takes.
+/// Values that follow from others: mass, gravity and duration, and options that rules = "1993" takes.
 void check_derived(const TemporaryFolder& folder, Findings& findings) {
   std::string text = records::read_whole(case_file("fence/table_2.toml"));
   const auto replace = [&](const std::string& old, const std::string& other) {
@@ -293,6 +293,7 @@ void check_derived(const TemporaryFolder& folder, Findings& findings) {
   replace("density = \"0.1 slug/ft^3\"", fmt::format("mass = \"{} slug\"", ground_mass));
   replace("density = \"5.127408 slug/ft^3\"", fmt::format("mass = \"{} slug\"", rock_mass));
   replace("density = \"0.38 slug/ft^3\"", fmt::format("mass = \"{} slug\"", column_mass));
+  replace("gravity = \"32.18 ft/s^2\"\n", "");
   text += "[fence.options]\nintegrator = \"velocity_verlet\"\n";
   folder.write("masses.toml", text);
   (void)talus_output(folder, {"convert", "masses.toml", "densities.toml"});
@@ -309,6 +310,9 @@ void check_derived(const TemporaryFolder& folder, Findings& findings) {
   }
   findings.expect("densities that follow from masses, largest relative error", mass, 0.0,
                   Tolerance::round_off(2e-15, "five products and a quotient on either side, 1.1e-16 each"));
+  findings.expect("gravity that follows from the units if none is given, over standard gravity",
+                  number("fence.gravity") / (9.80665 / 0.3048), 1.0,
+                  Tolerance::round_off(1e-15, "a foot is 0.3048 m by definition; a quotient on either side"));
   const std::vector<std::pair<std::string, std::string>> of_1993{
       {"even_centre", "doubled"}, {"contact", "nodes"},   {"calibration", "particles"},
       {"end_rule", "attractive"}, {"start", "half_kick"}, {"integrator", "velocity_verlet"},
