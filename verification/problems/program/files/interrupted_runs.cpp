@@ -1,5 +1,7 @@
 #include "verification/problems/program/files/interrupted_runs.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <set>
@@ -61,6 +63,24 @@ std::pair<Json, Json> summaries(const TemporaryFolder& folder, const std::string
   return {summary(name), summary(halves)};
 }
 
+/// All files in a folder and in its folders.
+std::set<std::string> files_of(const TemporaryFolder& folder, const std::string& out) {
+  std::set<std::string> files;
+  const std::filesystem::path whole = folder.path() / out;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator{whole})
+    if (entry.is_regular_file()) files.insert(entry.path().lexically_relative(whole).string());
+  return files;
+}
+
+/// Number of files that differ between two folders; 1 if one of both has other files.
+double different_files(const TemporaryFolder& folder, const std::string& one, const std::string& other) {
+  const std::set<std::string> files = files_of(folder, one);
+  if (files_of(folder, other) != files) return 1.0;
+  return static_cast<double>(std::ranges::count_if(files, [&](const std::string& file) {
+    return folder.read(fmt::format("{}/{}", one, file)) != folder.read(fmt::format("{}/{}", other, file));
+  }));
+}
+
 }  // namespace
 
 double different_warnings(const TemporaryFolder& folder) {
@@ -84,18 +104,12 @@ double different_fence_files(const TemporaryFolder& folder) {
   (void)talus_output(folder, {"run", "fence.DAT", "--end", "12 ms", "--out", "fence"});
   (void)talus_output(folder, {"run", "fence.DAT", "--end", "12 ms", "--out", "fence_halves", "--until", "6.05 ms"});
   (void)talus_output(folder, {"run", "--resume", "fence_halves"});
-  const auto files_of = [&](const char* out) {
-    std::set<std::string> files;
-    const std::filesystem::path whole = folder.path() / out;
-    for (const auto& entry : std::filesystem::recursive_directory_iterator{whole})
-      if (entry.is_regular_file()) files.insert(entry.path().lexically_relative(whole).string());
-    return files;
-  };
-  const std::set<std::string> files = files_of("fence");
-  if (files_of("fence_halves") != files || files.size() < 8) return 1.0;
-  return static_cast<double>(std::ranges::count_if(files, [&](const std::string& file) {
-    return folder.read("fence/" + file) != folder.read("fence_halves/" + file);
-  }));
+  return files_of(folder, "fence").size() < 8 ? 1.0 : different_files(folder, "fence", "fence_halves");
+}
+
+double different_after_a_fence(const TemporaryFolder& folder) {
+  (void)talus_output(folder, {"run", "warned.toml", "--out", "fence_halves"});
+  return different_files(folder, "warned", "fence_halves");
 }
 
 }  // namespace talus::verification::problems::run_files

@@ -2,7 +2,7 @@
 
 #include "verification/study/program/program_run.hpp"
 
-/// Interrupted runs that warn, that locate events, and of a fence; part of the case `run_files`.
+/// Interrupted runs that warn, that locate events, and of a fence, and a run into its folder; part of the case `run_files`.
 namespace talus::verification::problems::run_files {
 
 /// 0 if the summary of an interrupted run, including its warnings, is that of an uninterrupted one; otherwise 1. The
@@ -16,5 +16,9 @@ namespace talus::verification::problems::run_files {
 /// Number of files of a fence's run that differ from those of an interrupted one, or that only one of both has. Its
 /// cables yield before the interruption, which is between two rows, states and lines of the listing.
 [[nodiscard]] double different_fence_files(const TemporaryFolder& folder);
+
+/// Number of files of the run with warnings that differ if it is run into the folder of that fence, or that only one of
+/// both folders has. Call after the others.
+[[nodiscard]] double different_after_a_fence(const TemporaryFolder& folder);
 
 }  // namespace talus::verification::problems::run_files

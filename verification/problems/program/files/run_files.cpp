@@ -511,6 +511,10 @@ void run(Findings& findings, const Setup& setup) {
   findings.expect_true("summary on standard output (--json)", Json::parse(printed) == summary_json,
                        "the same document as in summary.json");
   check_resumed(folder, findings, setup);
+  findings.expect(
+      "files that differ in the folder of an earlier run, of a fence", different_after_a_fence(folder), 0.0,
+      Tolerance::exact("histories, listing and states of the fence are removed: the folder has the files of "
+                       "the last run, byte-identical to those in a new folder"));
   findings.expect("summary.json: energy scale of damped bodies over the largest change of an energy, deviation from 1",
                   scale_error(folder), 0.0, Tolerance::round_off(1e-15, "one difference of the numbers in 17 digits"));
   if (setup.coarse) return;
