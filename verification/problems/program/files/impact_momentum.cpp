@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numbers>
 
@@ -206,6 +207,17 @@ void check_yard(Findings& findings, const Setup& setup) {
   }
   findings.expect("rows out of number or order", numbering + order, 0.0,
                   Tolerance::exact("numbered from 1 in the order in which the impacts begin"));
+  const records::Json summary = records::read_json(folder.path() / "yard/summary.json");
+  const records::Json& impacts = summary.at("impacts");
+  constexpr std::size_t listed = 5;
+  std::vector<Row> by_force = rows;
+  std::ranges::stable_sort(by_force, std::greater{}, [](const Row& row) { return row["peak_force"]; });
+  double other = impacts.at("count").get<std::size_t>() == rows.size() && rows.size() > listed ? 0.0 : 1.0;
+  other += impacts.at("largest").size() == listed ? 0.0 : 1.0;
+  for (std::size_t i = 0; i < std::min({listed, rows.size(), impacts.at("largest").size()}); ++i)
+    other += impacts.at("largest").at(i).at("number").get<double>() == by_force[i]["number"] ? 0.0 : 1.0;
+  findings.expect("summary of more impacts than it lists: count and numbers of the largest that differ", other, 0.0,
+                  Tolerance::exact("it counts all rows of the table, and lists the five of the largest forces"));
   const std::vector<Row>&rest = of["rest"], &landing = of["landing"];
   const bool lasting = rest.size() == 1 && rest[0]["from_start"] == 1.0 && rest[0]["ended"] == 0.0 &&
                        rest[0]["touch_time"] == 0.0 && std::isnan(rest[0]["separation_time"]) &&
