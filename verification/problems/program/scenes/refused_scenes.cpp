@@ -72,6 +72,22 @@ void check_refused(const TemporaryFolder& folder, Findings& findings, const Setu
                      "resultant of an outline with an exponent above 5 would jump from corner to corner");
 }
 
+void check_diverging(const TemporaryFolder& folder, Findings& findings) {
+  std::string text = "units = \"SI\"\n";
+  for (const auto& [name, speed] : {std::pair{"first", "1"}, std::pair{"second", "1e150"}})
+    text += fmt::format(
+        "[[body]]\nname = \"{}\"\nmobility = \"particle\"\nmass = \"1 kg\"\nposition = [\"0 m\", \"0 m\"]\n"
+        "velocity = [\"0 m/s\", \"{} m/s\"]\n",
+        name, speed);
+  folder.write("diverging.toml", text +
+                                     "[run]\nintegrator = \"velocity_verlet\"\nstep = \"1e160 s\"\nend = \"2e160 s\"\n"
+                                     "ledger = \"off\"\nwatch = \"off\"\n");
+  const ProgramEnd end = run_talus(folder, {"run", "diverging.toml", "--json"});
+  findings.expect_true("run that diverges: exit status, and the coordinate that its summary names",
+                       end.exit_code == 3 && end.output.find("'second.y' is not finite") != std::string::npos,
+                       "1e150 m/s times 1e160 s is beyond the largest double, 1.8e308");
+}
+
 void check_lines(const TemporaryFolder& folder, Findings& findings) {
   constexpr double pin_x = 0.4, pin_y = -0.3, angle = 0.7;
   const std::array mobilities{"pinned", "guided_x", "guided_y"};

@@ -512,6 +512,7 @@ void run(Findings& findings, const Setup& setup) {
   if (setup.needs("final state")) check_moving(folder, findings, setup);
   if (setup.needs("rules")) check_watch(folder, findings, setup);
   if (setup.needs("refused")) check_refused(folder, findings, setup);
+  if (setup.needs("diverges")) check_diverging(folder, findings);
   if (setup.needs("without a shape")) check_lines(folder, findings);
 }
 
