@@ -91,6 +91,14 @@ void check_warnings(Findings& findings) {
       of_width.size() == 1 &&
           of_width[0] == "changed_column: a column of a width of 4 ft overlaps its neighbours, 3 ft apart",
       "a half-width of 2 ft next to columns of 1.25 ft");
+  // The ground, 1 ft higher than the bottom of the central column, also reaches into its neighbours, which hang higher.
+  scenes::Fence sunk = sound;
+  sunk.ground.position.y = -3.5;
+  const std::vector<std::string> of_ground = scenes::implausible_geometry(sunk, scenes::fence_scene(sunk));
+  findings.expect_true(
+      "depth and column given in the warning of the ground",
+      of_ground.size() == 1 && of_ground[0] == "ground: it reaches 1 ft into the columns, furthest into 'column1'",
+      "a ground whose surface is 0.5 ft above its centre, and columns whose bottom is 4 ft below theirs");
   findings.expect_exact("number of warning limits with a missing, wrong or additional warning", wrong, 0.0,
                         "a count of ten limits; tested a ten-thousandth to either side");
 }
