@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "verification/problems/program/capacity/one_column.hpp"
@@ -164,24 +165,25 @@ void check_units(const Program& program, const ResultUnits& units, Differences& 
                     range("kinetic_energy", units.drawn_energy), digits(anchor.get<double>(), units.drawn_force),
                     digits(median(line, "not_stopped", "fence.exit_energy"), units.drawn_energy)));
   }
-  // Forces of each node in the table have the unit of its system, and those of the boundary the values of the JSON
-  // file.
-  for (const char* const of : {"anchor", "cable", "hanger"}) {
-    const std::string output = fmt::format("fence.{}_force", of);
+  // Forces and energies of each node in the table have the unit of its system, and those of the boundary the values of
+  // the JSON file.
+  for (const auto& [output, of, side, unit] : {std::tuple{"fence.anchor_force", "stopped", 0UL, units.force},
+                                               {"fence.cable_force", "stopped", 0UL, units.force},
+                                               {"fence.hanger_force", "stopped", 0UL, units.force},
+                                               {"fence.exit_energy", "not_stopped", 1UL, units.energy}}) {
     for (const char* const name : {"median", "p95"}) {
-      const std::string head = fmt::format("{}.{} [{}]", output, name, units.force.name);
-      differ.compare(fmt::format("column of the {} force", of), std::ranges::count(nodes.header(), head), 1L);
+      const std::string head = fmt::format("{}.{} [{}]", output, name, unit.name);
+      differ.compare(fmt::format("column {}", head), std::ranges::count(nodes.header(), head), 1L);
       if (std::ranges::count(nodes.header(), head) != 1) continue;
       for (const Json& line : map.at("boundary")) {
         const double mass = line.at("mass").get<double>() / units.mass.size,
-                     low = line.at("speed").at(0).get<double>() / units.speed.size;
+                     speed = line.at("speed").at(side).get<double>() / units.speed.size;
         for (std::size_t row = 0; row < nodes.rows(); ++row) {
           if (std::abs(nodes.number(row, fmt::format("mass [{}]", units.mass.name)) / mass - 1.0) < 1e-9 &&
-              std::abs(nodes.number(row, fmt::format("speed [{}]", units.speed.name)) / low - 1.0) < 1e-9)
+              std::abs(nodes.number(row, fmt::format("speed [{}]", units.speed.name)) / speed - 1.0) < 1e-9)
             differ.holds(
-                fmt::format("{} force of a node", of),
-                std::abs(units.force.size * nodes.number(row, head) / quantile(line, "stopped", output.c_str(), name) -
-                         1.0) < 1e-12);
+                fmt::format("{} of a node", output),
+                std::abs(unit.size * nodes.number(row, head) / quantile(line, of, output, name) - 1.0) < 1e-12);
         }
       }
     }

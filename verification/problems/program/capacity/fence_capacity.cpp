@@ -479,17 +479,18 @@ void check_positions(const Program& program, Differences& differ) {
                                     sheet.find("4.5 m, 3 rad/s, at 0.125 m") != std::string::npos);
 }
 
-/// Bases in US units: a deck, and a scene that gives the density, on an inclined ground.
+/// Bases in US units: a deck, and a scene that gives the density, on an inclined ground, with a rock beside mid-span.
 void check_us_base(const Program& program, Differences& differ) {
   std::string inclined = records::read_whole(case_file("capacity/fence.toml"));
   inclined.replace(inclined.find("duration = \"2 s\""), 16, "duration = \"0.01 s\"");
   inclined.replace(inclined.find("position = [\"0 ft\", \"-5 ft\"]"), 28,
                    "angle = \"10 deg\"\nposition = [\"0 ft\", \"-5 ft\"]");
-  program.write("inclined.toml", inclined);
+  inclined.insert(inclined.find("spin = \"34 rad/s\""), "along = \"1 ft\"\n");
+  program.write("inclined.toml", inclined + "[fence.options]\nsymmetry = \"full\"\n");
   program.write("us.toml",
                 "base = \"inclined.toml\"\nmass = [\"600 lb\", \"2400 lb\"]\nspeed = [\"20 ft/s\", \"100 ft/s\"]\n"
-                "height = \"6 ft\"\n[map]\ncells = 1\nfirst_cells = 1\nruns = 4\naudit = 0\n[hazard]\n"
-                "table = \"us.csv\"\nruns = 1\n");
+                "height = \"6 ft\"\n[map]\ncells = 1\nfirst_cells = 1\nruns = 4\naudit = 0\n[changes]\n"
+                "along = \"0.5 ft\"\n[hazard]\ntable = \"us.csv\"\nruns = 1\n");
   // A deck of 1993 and the scene that it is converted to.
   std::string deck = records::read_whole(case_file("fence/table_2.DAT"));
   deck.replace(deck.find("0.03418558 100000"), 17, "0.17 200");
@@ -507,7 +508,7 @@ void check_us_base(const Program& program, Differences& differ) {
                  program.read("of_converted.toml/capacity.csv"));
   program.write("us.csv", "mass [lb],speed [m/s],height [ft]\n2000,10,6\n");
   const std::string text = squeezed(program.run({"capacity", "us.toml"}, {{"--no-plots", {}}}));
-  const Json expected = program.file("us/capacity.json").at("hazard").at("outputs");
+  const Json us = program.file("us/capacity.json"), expected = us.at("hazard").at("outputs"), own = us.at("rock");
   constexpr double foot = 0.3048, pound = 0.45359237, kip = 1e3 * pound * 9.80665;
   for (const auto& [label, output, unit, size] :
        {std::tuple{"anchor force", "fence.anchor_force", "kip", kip},
@@ -518,6 +519,13 @@ void check_us_base(const Program& program, Differences& differ) {
                                 of.at("median").at("value").get<double>() / size,
                                 of.at("p95").at("value").get<double>() / size, unit));
   }
+  const auto is_near = [](double found, double exact) { return std::abs(found / exact - 1.0) < 1e-12; };
+  differ.holds("rock of a base in US units", is_near(own.at("speed").get<double>(), 65.0 * foot) &&
+                                                 is_near(own.at("spin").get<double>(), 34.0) &&
+                                                 is_near(own.at("along").get<double>(), foot));
+  const records::Csv nodes = program.csv("us/capacity.csv");
+  for (std::size_t row = 0; row < nodes.rows(); ++row)
+    differ.holds("position of a node in feet", is_near(nodes.number(row, "along [ft]"), 1.0));
   program.run({"sweep", "collect", "us"});
   const records::Csv steep = program.csv("us/results.csv");
   double raised = 0.0, sized = 0.0;
@@ -536,6 +544,8 @@ void check_us_base(const Program& program, Differences& differ) {
         -5.0 * foot + 0.5 * foot * std::cos(slope) + std::tan(slope) * (x + 0.5 * foot * std::sin(slope));
     keep_worst(raised, (y - surface) * std::cos(slope) - 6.0 * foot);
     sized = std::max(sized, number("fence.rock[0].a [m]"));
+    differ.holds("changes about the position of the base's rock",
+                 std::abs(number("fence.rock[0].along [m]") - foot) <= 0.5 * foot + 1e-12);
     const double speed =
         std::hypot(number("fence.rock[0].velocity[0] [m/s]"), number("fence.rock[0].velocity[1] [m/s]"));
     const bool has_size = std::abs(number("fence.rock[0].a [m]") / half_of(2000.0) - 1.0) < 1e-9;
