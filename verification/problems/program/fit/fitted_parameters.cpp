@@ -134,6 +134,25 @@ void check_bars(const std::string& script, const records::Csv& rows, Differences
   }
 }
 
+/// What is printed of the fit of noisy heights, beside its JSON.
+void check_printed(const std::string& printed, const Json& fit, Differences& differ) {
+  const std::string text = squeezed(printed);
+  differ.contains("printed counts", text,
+                  fmt::format("2 parameters fitted to 18 values of 18 rows, {} runs\n", fit.at("runs").get<long>()));
+  for (const Json& of : fit.at("parameters")) {
+    const auto field = of.at("field").get<std::string>(), unit = of.at("unit").get<std::string>();
+    const auto value = of.at("value").get<double>();
+    differ.contains("printed parameter", text,
+                    fmt::format("\n {} [{}] {:.5g} {:.3g} {:.4g} to {:.4g}\n", field, unit, value,
+                                of.at("standard_error").get<double>(), of.at("interval").at(0).get<double>(),
+                                of.at("interval").at(1).get<double>()));
+    differ.contains("printed line of the scene", text, fmt::format("\n {} = \"{} {}\"\n", field, value, unit));
+  }
+  differ.contains("printed root mean square", text,
+                  fmt::format("root mean square of the deviations: {:.3g} uncertainties\n",
+                              std::sqrt(fit.at("sum_of_squares").get<double>() / 18.0)));
+}
+
 /// Stiffness and damping of a bouncing ball from its heights, beside those of the closed form.
 void check_bounce(const Program& program, Findings& findings, Differences& differ) {
   const Setup& setup = program.setup();
@@ -182,8 +201,9 @@ void check_bounce(const Program& program, Findings& findings, Differences& diffe
   differ.compare("correlation with itself", noisy.at("correlation").at(1).at(1).get<double>(), 1.0);
   differ.compare("degrees of freedom", noisy.at("degrees_of_freedom").get<double>(), 16.0);
   differ.holds("file of the fit", program.read("noisy/fit.json") == noisy.dump(2) + "\n");
-  talus_output(program.folder(), {"fit", "noisy.toml", "--threads", "1", "--out", "alone"},
-               picture_options::recorded_pictures());
+  check_printed(talus_output(program.folder(), {"fit", "noisy.toml", "--threads", "1", "--out", "alone"},
+                             picture_options::recorded_pictures()),
+                noisy, differ);
   differ.compare("one thread", program.read("alone/fit.json"), program.read("noisy/fit.json"));
 
   // The files: rows, differences and their sum of squares; samples and their percentiles.
@@ -362,6 +382,21 @@ void check_warnings(const Program& program, Differences& differ) {
   program.write("certain.toml", std::string{heading} + of_speed + "uncertainty = \"1e-5 m/s\"\n" + of_damping + few);
   differ.contains("a model that does not describe the data", message("certain.toml").messages,
                   "it does not describe them, or the search has missed the best values");
+  // Two rows that are d above and below the model have one degree of freedom: a standard deviation of sqrt(2) d.
+  constexpr double apart = 0.01;
+  program.write("pair.csv",
+                fmt::format("vy [m/s],rebound [m/s]\n-1,{}\n-1,{}\n", e * (1.0 - apart), e * (1.0 + apart)));
+  for (const double scatter : {1.98, 2.02}) {
+    std::string of_pair = std::string{heading} + of_speed +
+                          fmt::format("uncertainty = \"{} m/s\"\n", std::sqrt(2.0) * e * apart / scatter) + of_damping +
+                          "[bootstrap]\nsamples = 0\n";
+    program.write("pair.toml", of_pair.replace(of_pair.find("data.csv"), 8, "pair.csv"));
+    const std::string warned = message("pair.toml").messages;
+    differ.holds("a warning from two uncertainties on",
+                 scatter < 2.0 ? warned.empty()
+                               : warned.find("the standard deviation of the data from the model is 2.02 "
+                                             "uncertainties: ") != std::string::npos);
+  }
   // Enough rows and samples: nothing to warn of. Without an uncertainty the size of the deviations says nothing.
   std::string many = "vy [m/s],rebound [mm/s]\n";
   for (int i = 1; i <= 18; ++i)
