@@ -360,6 +360,17 @@ void check_bytes(const Program& program, Findings& findings, Differences& differ
   plan("whole");
   const Json status = program.json({"sweep", "status", "whole"}, {{"--json", {}}});
   differ.compare("missing after a longer axis", status.at("missing").get<int>(), 8);
+  // A shorter axis: the results of runs beyond it are those of others; a copy repeats all results.
+  std::string shorter = grid_text();
+  program.write("parts.toml", shorter.erase(shorter.find(", \"400 N s/m\""), 13));
+  plan("whole");
+  program.write("whole/results/copy.jsonl", program.read(program.files("whole/results").front()));
+  const Json others = program.json({"sweep", "status", "whole"}, {{"--json", {}}});
+  for (const auto& [member, count] : {std::pair{"runs", 8}, {"missing", 0}, {"duplicates", 8}, {"of_others", 16}})
+    differ.compare(fmt::format("{} after a shorter axis", member), others.at(member).get<int>(), count);
+  differ.compare("status after a shorter axis", program.run({"sweep", "status", "whole"}),
+                 std::string{"8 of 8 runs done: 8 finished\n8 results of runs that have another one\n"
+                             "16 results of runs that are not in the plan\n"});
   program.write("ball.toml", ball_scene("velocity_verlet"));
   const ProgramEnd other = program.end({"sweep", "plan", "parts.toml"}, {{"--out", {"whole"}}});
   differ.ended("results of another base are refused", other, 2, "found results of a sweep with another base");
