@@ -81,12 +81,17 @@ void compare_printed(const std::string& printed, const Runs& runs, Differences& 
     }
     differ.contains("study: printed line of " + point, table, line);
   }
-  // Welch's t of the differences by which the outcomes are decided, in their order.
+  const auto mean = [&](const std::string& point, const char* column) {
+    const Mean found = of(point, column);
+    return fmt::format("{:.3f} +- {:.3f}", found.value, found.error);
+  };
+  // The measured numbers, and Welch's t of the differences by which the outcomes are decided, in their order.
   const auto t_of = [&](const std::string& later, const std::string& earlier, const char* column) {
     const Mean a = of(later, column), b = of(earlier, column);
     return fmt::format("(t = {:+.1f},", (a.value - b.value) / std::hypot(a.error, b.error));
   };
-  const std::string low = "5000 d/s 2 5000 1", high = "5000 d/s 32 5000 1";
+  const std::string low = "5000 d/s 2 5000 1", high = "5000 d/s 32 5000 1", low_slow = "1000 d/s 2 1000 1",
+                    high_slow = "1000 d/s 32 1000 1", soft = "stiffness 15 5000 0.25", hard = "stiffness 15 5000 4";
   std::vector<double> apart;
   for (const auto& [point, found] : rows) {
     const double load = runs.number(found.front(), "overburden [Pa]");
@@ -96,12 +101,18 @@ void compare_printed(const std::string& printed, const Runs& runs, Differences& 
   }
   const Mean lower = mean_of(apart);
   const std::vector<std::string> outcomes{
-      t_of(high, low, "depth [D]"),
-      t_of(high, low, "multiple_fraction"),
+      fmt::format("depth {} D at 2 kPa, {} D at 32 kPa {}", mean(low, "depth [D]"), mean(high, "depth [D]"),
+                  t_of(high, low, "depth [D]")),
+      fmt::format("their fraction of contact time {} and {} {}", mean(low, "multiple_fraction"),
+                  mean(high, "multiple_fraction"), t_of(high, low, "multiple_fraction")),
       fmt::format("lower by {:.4f} +- {:.4f}, mean of {:.0f} runs", lower.value, lower.error, lower.runs),
-      t_of(high, low, "stress_ratio"),
-      t_of("1000 d/s 32 1000 1", "1000 d/s 2 1000 1", "stress_ratio"),
-      t_of("stiffness 15 5000 0.25", "stiffness 15 5000 4", "stress_ratio")};
+      fmt::format("S/N {} at 2 kPa, {} at 32 kPa, 5000 d/s {}", mean(low, "stress_ratio"), mean(high, "stress_ratio"),
+                  t_of(high, low, "stress_ratio")),
+      fmt::format("S/N {} at 2 kPa, {} at 32 kPa, 1000 d/s {}", mean(low_slow, "stress_ratio"),
+                  mean(high_slow, "stress_ratio"), t_of(high_slow, low_slow, "stress_ratio")),
+      fmt::format("S/N {} at 0.25 times the stiffness, fraction of multiple contacts {}; {} and {} at 4 times {}",
+                  mean(soft, "stress_ratio"), mean(soft, "multiple_fraction"), mean(hard, "stress_ratio"),
+                  mean(hard, "multiple_fraction"), t_of(soft, hard, "stress_ratio"))};
   std::size_t at = 0;
   for (const std::string& outcome : outcomes) {
     at = printed.find(outcome, at);
