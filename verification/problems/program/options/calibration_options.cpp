@@ -14,6 +14,14 @@ namespace {
 
 using records::Json;
 
+constexpr double foot = 0.3048, pound = 4.4482216152605, slug = pound / foot;
+
+/// A printed number in US units: the text before it, the member of the JSON output, and the unit's size in SI.
+struct Line {
+  std::string text, member;
+  double unit;
+};
+
 constexpr double drop_mass = 2.0, drop_radius = 0.5, drop_stiffness = 2e4;
 
 /// The impact of the dropped disc with this damping; where it falls from this height on this stiffness.
@@ -97,8 +105,7 @@ std::string in_us_units(std::string text) {
 }
 
 void check_calibration(const Program& program, Findings& findings, Differences& differ) {
-  constexpr double restitution = 0.6, stiffness = 1e5, mass = 0.75, bound = 0.01, foot = 0.3048, speed = 3.0 * foot,
-                   pound = 4.4482216152605, slug = pound / foot;
+  constexpr double restitution = 0.6, stiffness = 1e5, mass = 0.75, bound = 0.01, speed = 3.0 * foot;
   const Options options{{"--restitution", {"0.6"}}, {"--masses", {"3 kg", "1 kg"}}, {"--stiffness", {"1e5 N/m"}},
                         {"--speed", {"3 ft/s"}},    {"--bound", {"0.01"}},          {"--integrator", {"rk4"}}};
   Options in_json = options, in_feet = options;
@@ -115,10 +122,6 @@ void check_calibration(const Program& program, Findings& findings, Differences& 
   findings.expect_between("talus calibrate --bound: error of the advised step over the bound",
                           found.at("restitution_error").get<double>() / bound, 0.1, 1.0,
                           "steps are tried in powers of two, and the error is of first order or higher");
-  struct Line {
-    std::string text, member;
-    double unit;
-  };
   double worst = 0.0;
   for (const auto& [text, member, unit] :
        {Line{"effective mass ", "effective_mass", slug}, Line{"damping c ", "damping", pound / foot},
@@ -131,11 +134,26 @@ void check_calibration(const Program& program, Findings& findings, Differences& 
   differ.holds("calibrate: method and bound printed", printed.find("simulated with rk4") != std::string::npos &&
                                                           printed.find("required 0.01") != std::string::npos);
 
-  const Json latching = program.json({"calibrate"}, {{"--law", {"latching_spring"}},
-                                                     {"--restitution", {"0.7"}},
-                                                     {"--step", {"1e-7 s"}},
-                                                     {"--integrator", {"euler"}},
-                                                     {"--json", {}}});
+  Options of_latching{{"--law", {"latching_spring"}},
+                      {"--restitution", {"0.7"}},
+                      {"--step", {"1e-7 s"}},
+                      {"--integrator", {"euler"}},
+                      {"--json", {}}};
+  const Json latching = program.json({"calibrate"}, of_latching);
+  of_latching.back() = {"--units", {"US"}};
+  const std::string ratios = program.run({"calibrate"}, of_latching);
+  for (const auto& [text, member, unit] :
+       {Line{"effective mass ", "effective_mass", slug}, Line{"stiffness K1 ", "stiffness", pound / foot},
+        Line{"step h ", "step", 1.0}, Line{"w1 h ", "loading_angle", 1.0},
+        Line{"steps in a contact ", "steps_in_contact", 1.0}, Line{"K1/K2 by formula ", "ratio_by_formula", 1.0},
+        Line{"restitution simulated with it ", "restitution_of_formula", 1.0},
+        Line{"K1/K2 by simulation ", "ratio_by_simulation", 1.0},
+        Line{"its deviation between phases ", "restitution_deviation", 1.0},
+        Line{"restitution of short steps ", "exact_restitution", 1.0},
+        Line{"stiffness K2 ", "unloading_stiffness", pound / foot}, Line{"speed of approach ", "speed", foot},
+        Line{"largest overlap at that speed ", "largest_overlap", foot}})
+    differ.holds("calibrate: printed for a latching spring: " + text,
+                 std::abs(number_after(ratios, text) * unit / latching.at(member).get<double>() - 1.0) < 5.1e-9);
   const double angle = 1e-7 * std::sqrt(1.7e4 / 3.6e-7);
   findings.expect(
       "talus calibrate --law latching_spring --step: restitution of its K1/K2, deviation from the required one",
@@ -196,6 +214,19 @@ void check_calibration(const Program& program, Findings& findings, Differences& 
     differ.holds(fmt::format("calibrate: {} of the scene in US units", member),
                  std::abs(in_us.at(member).get<double>() / scene.at(member).get<double>() - 1.0) < 1e-5);
   }
+  // The text is in the scene's units: nine digits, and all of them in the line of the scene.
+  const std::string in_feet_text = program.run({"calibrate", "us_drop.toml"}, of_contact);
+  for (const auto& [text, member, unit] :
+       {Line{"damping c ", "damping", pound / foot}, Line{"damping ratio xi ", "damping_ratio", 1.0},
+        Line{"\n  restitution ", "restitution", 1.0}, Line{"speed of approach ", "speed", foot},
+        Line{"contact time ", "contact_time", 1.0}, Line{"largest overlap ", "largest_overlap", foot},
+        Line{"\n  step ", "step", 1.0}})
+    differ.holds("calibrate: printed for a scene in US units: " + text,
+                 std::abs(number_after(in_feet_text, text) * unit / in_us.at(member).get<double>() - 1.0) < 5.1e-9);
+  differ.holds(
+      "calibrate: line for a scene in US units",
+      std::abs(number_after(in_feet_text, "\n  damping = \"") * pound / foot / in_us.at("damping").get<double>() -
+               1.0) < 1e-14);
   const std::string contact_text = program.run({"calibrate", "drop.toml"}, of_contact);
   differ.contains("calibrate: contact and number of runs printed", contact_text,
                   fmt::format("contact '{}' calibrated by {} runs", scene.at("contact").get<std::string>(),
