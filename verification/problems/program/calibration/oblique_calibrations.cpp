@@ -118,7 +118,15 @@ void compare_calibration(const Program& program, const ObliqueRequest& request, 
   for (const auto& [text, member] : {std::pair{"\n  tangential restitution ", "tangential_restitution"},
                                      {"rotational restitution ", "rotational_restitution"},
                                      {"\n  step ", "step"},
+                                     {"\n  effective mass ", "effective_mass"},
                                      {"mobility of the contact ", "mobility"},
+                                     {"\n  speed ", "speed"},
+                                     {"speed of approach ", "approach_speed"},
+                                     {"\n  contact time ", "contact_time"},
+                                     {"largest overlap ", "largest_overlap"},
+                                     {"tangential over normal stiffness ", "stiffness_ratio"},
+                                     {"\n  restitution ", "restitution"},
+                                     {"shortest undamped contact time ", "shortest_undamped_contact_time"},
                                      {"spin of body 2 ", "spin"},
                                      {"sticking fraction of the contact time ", "sticking"}}) {
     const double number = json.at(member).get<double>();
@@ -126,6 +134,15 @@ void compare_calibration(const Program& program, const ObliqueRequest& request, 
   }
   keep_worst(worst.printed,
              number_after(printed, "angle of the rebound ") * degree / json.at("rebound_angle").get<double>() - 1.0);
+  keep_worst(worst.printed, number_after(printed, "step over undamped contact time ") *
+                                    json.at("shortest_undamped_contact_time").get<double>() /
+                                    json.at("step").get<double>() -
+                                1.0);
+  for (std::size_t i = 0; i < request.radii.size(); ++i) {
+    const std::size_t body = 3 - request.radii.size() + i;  // one alone is body 2
+    const std::string text = fmt::format("radius of body {}, {} ", body, request.discs ? "disc" : "sphere");
+    keep_worst(worst.printed, number_after(printed, text) / request.radii[i] - 1.0);
+  }
   table.rows.push_back({request.mindlin ? "hertz, mindlin" : "linear", request.masses.size() > 1 ? "two" : "wall",
                         request.discs ? "discs" : "spheres", fmt::format("{:.1f}", request.angle / degree),
                         request.sought, fmt::format("{:.5g}", value), fmt::format("{:.4f}", drawn.tangential),
