@@ -296,7 +296,10 @@ std::vector<CellRun::ActingContact> CellRun::acting_contacts() const {
       cell_.friction ? std::visit([](const auto& of) { return of.coefficient; }, *cell_.friction) : 0.0;
   const auto add = [&](const DiscContact& contact) {
     if (contact.force == 0.0) return;
-    const bool sliding = cell_.friction && std::abs(contact.friction) >= coefficient * std::max(contact.force, 0.0);
+    // The stretch at the limit is rounded, so that the force may be a bit less than the limit.
+    constexpr double rounding = 1e-9;
+    const bool sliding =
+        cell_.friction && std::abs(contact.friction) >= (1.0 - rounding) * coefficient * std::max(contact.force, 0.0);
     contacts.push_back({contact, false, sliding});
     ++acting[contact.a], ++acting[contact.b];
   };

@@ -163,13 +163,8 @@ BOOST_AUTO_TEST_CASE(virtual_discs_act_as_nearest_images_do) {
       // to 3e-9.
       BOOST_TEST(apart(nearest, virtuals) < 3e-8 * cell.diameter);
       BOOST_TEST(nearest.mean(CellQuantity::contacts).value > 1.0);
-      for (const CellQuantity quantity : {CellQuantity::contacts, CellQuantity::multiple})
+      for (const CellQuantity quantity : {CellQuantity::contacts, CellQuantity::multiple, CellQuantity::sliding})
         BOOST_TEST(virtuals.mean(quantity).value == nearest.mean(quantity).value, boost::test_tools::tolerance(1e-12));
-      // Whether a force at its limit counts as sliding is decided by rounding, which differs if the stiffness is that
-      // of an overlap: in one of 450 samples of these cells.
-      const bool varies = cell.friction && std::holds_alternative<Mindlin>(*cell.friction);
-      BOOST_TEST(virtuals.mean(CellQuantity::sliding).value == nearest.mean(CellQuantity::sliding).value,
-                 boost::test_tools::tolerance(varies ? 0.01 : 1e-12));
       for (const CellQuantity quantity : {CellQuantity::shear_virial, CellQuantity::spin, CellQuantity::bottom_normal})
         BOOST_TEST(virtuals.mean(quantity).value == nearest.mean(quantity).value, boost::test_tools::tolerance(1e-6));
       BOOST_TEST(std::abs(virtuals.ledger().dissipated - nearest.ledger().dissipated) < 1e-9 * nearest.ledger().held());
