@@ -10,6 +10,7 @@
 #include "verification/problems/program/agreement/agreeing_history.hpp"
 #include "verification/problems/program/agreement/expected_fence.hpp"
 #include "verification/problems/program/agreement/fence_contacts.hpp"
+#include "verification/problems/program/agreement/printed_sheet.hpp"
 #include "verification/problems/program/agreement/printed_summary.hpp"
 #include "verification/record/csv.hpp"
 #include "verification/reference/impacts/restitution.hpp"
@@ -106,19 +107,23 @@ void check_codes(const TemporaryFolder& folder, const Run& run, Findings& findin
                    "names, units and all digits agree");
 }
 
+/// Compares the lines of a text one by one.
+void compare_lines(const std::string& of, const std::vector<std::string>& found,
+                   const std::vector<std::string>& expected, Disagreements& lines) {
+  for (std::size_t i = 0; i < std::max(found.size(), expected.size()); ++i) {
+    const std::string line = i < expected.size() ? expected[i] : "no line";
+    lines.check(fmt::format("{}: '{}' in place of '{}'", of, i < found.size() ? found[i] : "no line", line),
+                i < found.size() && found[i] == line);
+  }
+}
+
 /// The printed summary: each line from the numbers of summary.json.
 void check_print(const std::vector<Run>& runs, Findings& findings, const Setup& setup) {
   Disagreements lines;
   for (const Run& run : runs) {
     Json summary = run.summary;
     if (setup.has("idle_cables")) summary["ledger"]["energy"]["cables"] = 0.0;
-    const std::vector<std::string> found = compared_print(run.printed), expected = expected_print(summary);
-    for (std::size_t i = 0; i < std::max(found.size(), expected.size()); ++i) {
-      const std::string line = i < expected.size() ? expected[i] : "no line";
-      lines.check(
-          fmt::format("{}: '{}' in place of '{}'", run.facts.file, i < found.size() ? found[i] : "no line", line),
-          i < found.size() && found[i] == line);
-    }
+    compare_lines(run.facts.file, compared_print(run.printed), expected_print(summary), lines);
   }
   lines.expect(findings, "printed summary: lines that differ from summary.json",
                "each number is that of summary.json, with the digits that are printed");
@@ -202,6 +207,18 @@ void check_repair(const TemporaryFolder& folder, Findings& findings, const Setup
         {"energy_balance", of_repaired}}}};
   ComparedDocument("summary.json of a step too long", run.summary["quality"], expected)
       .expect(findings, 1e-14, "about ten roundings of 1.1e-16 in roots and quotients");
+  Disagreements lines;
+  compare_lines("coarse", compared_print(run.printed), expected_print(run.summary), lines);
+  lines.expect(findings, "printed summary of a step too long: lines that differ from summary.json",
+               "the flaw, the run that repairs it and all numbers are those of summary.json, with the printed digits");
+}
+
+/// The page of the sheet: each line from the numbers of sheet.json, in both unit systems.
+void check_page(const TemporaryFolder& folder, const Json& sheet, Findings& findings) {
+  Disagreements lines;
+  compare_lines("sheet.html", lines_of_page(folder.read("fence/sheet.html")), expected_page(sheet), lines);
+  lines.expect(findings, "sheet.html: lines that differ from sheet.json",
+               "each number is that of sheet.json in SI and US units, with the digits that are printed");
 }
 
 // --- The case
@@ -262,6 +279,7 @@ void run(Findings& findings, const Setup& setup) {
         .expect(findings, 1e-14,
                 "about ten roundings between feet and metres, 1.1e-16 each, and as many of positions and forces; four "
                 "times that as a walk for the sums of 400 terms");
+    check_page(folder, sheet, findings);
   }
   check_codes(folder, runs[1], findings);
   check_print(runs, findings, setup);

@@ -111,7 +111,11 @@ class Lines {
 
   void quality() {
     const Json& of = summary_.at("quality");
-    add("quality", fmt::format("usable; energy balance within {:.2g} %", number(of.at("energy_balance")) * 100.0));
+    const auto balance = [](const Json& whose) {
+      return fmt::format("energy balance within {:.2g} %", number(whose.at("energy_balance")) * 100.0);
+    };
+    const std::string flaw = word(of.at("flaw"));
+    add("quality", flaw.empty() ? "usable; " + balance(of) : "NOT USABLE: " + flaw);
     std::string steps = word(of.at("step"));
     if (const Json count = of.value("steps_in_shortest_contact", Json{}); !count.is_null())
       steps +=
@@ -135,6 +139,11 @@ class Lines {
                       1.0 + number(repeat.at("change_of_speed")),
                       same ? "is unchanged" : "becomes: " + verdict(repeat.at("verdict")),
                       number(repeat.at("change_of_largest_cable_force")) * 100.0));
+    }
+    if (const Json repair = of.value("repair", Json{}); !repair.is_null()) {
+      const std::string remains = word(repair.at("flaw")), how = word(repair.at("option")) + " was tried and ";
+      add("repair", how + (remains.empty() ? "repairs it: " + verdict(repair.at("verdict")) + ", " + balance(repair)
+                                           : "does not help: " + remains));
     }
   }
 
