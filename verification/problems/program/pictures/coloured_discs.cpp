@@ -91,6 +91,14 @@ ColourErrors colour_errors(const Picture& picture, const std::vector<DiscState>&
   return errors;
 }
 
+double largest_force(const std::vector<GeometryState>& states) {
+  double largest = 0.0;
+  for (const GeometryState& state : states)
+    for (const double force : data_array(state.text, "force"))
+      keep_largest(largest, force);
+  return largest;
+}
+
 bool marks_are_numbers(const Picture& picture, const std::vector<DiscState>& states, double period) {
   bool agree = !picture.panels.empty();
   for (const Panel& panel : picture.panels) {
@@ -117,6 +125,7 @@ Bars contact_bars(const Picture& picture) {
         const double x = corners.at(0)[0] + corners.at(3)[0] - corners.at(1)[0] - corners.at(2)[0],
                      y = corners[0][1] + corners[3][1] - corners[1][1] - corners[2][1];
         bars.longest = std::max(bars.longest, 0.5 * std::hypot(x, y)), ++bars.count;
+        bars.widest = std::max(bars.widest, std::hypot(corners[0][0] - corners[3][0], corners[0][1] - corners[3][1]));
       }
     }
   }

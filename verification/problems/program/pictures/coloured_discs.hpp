@@ -40,6 +40,9 @@ struct ColourErrors {
 /// where there is none, or in a colour that is not on the bar, gives NaN.
 [[nodiscard]] ColourErrors colour_errors(const Picture& picture, const std::vector<DiscState>& states, double period);
 
+/// Largest force of a contact in all states for ParaView [F].
+[[nodiscard]] double largest_force(const std::vector<GeometryState>& states);
+
 /// Whether all panels have a mark for each disc in their window, with the disc's number at its centre, and no other
 /// marks. `period`: of the cell along x [L].
 [[nodiscard]] bool marks_are_numbers(const Picture& picture, const std::vector<DiscState>& states, double period);
@@ -48,6 +51,7 @@ struct ColourErrors {
 struct Bars {
   int count{};
   double longest{};  ///< between the middles of their short sides [L]
+  double widest{};   ///< length of a short side [L]
 };
 [[nodiscard]] Bars contact_bars(const Picture& picture);
 

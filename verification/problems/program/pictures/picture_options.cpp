@@ -259,6 +259,8 @@ double check_colours(const Pictures& program, Differences& differ, const Setup& 
                  Json::parse(between(page, "id=\"data\">", "</script>")).at("discs").at("colour").get<std::string>(),
                  std::string{"force"});
   int bars = 0;
+  double widest = 0.0;
+  const std::string largest = fmt::format("; widest {:.3g} N", largest_force(files));
   for (const std::string& frame : frames) {
     const Picture picture = read_picture(frame);
     compare(picture, force, forces);
@@ -266,8 +268,12 @@ double check_colours(const Pictures& program, Differences& differ, const Setup& 
     const Bars drawn = contact_bars(picture);
     differ.holds("animate: lengths of bars of contacts", drawn.longest < cell_diameter * (1.0 + 1e-4));
     bars += drawn.count;
+    keep_largest(widest, drawn.widest);
+    if (drawn.count > 0) differ.contains("animate: force of the widest bar of a contact", frame, largest);
   }
   differ.holds("animate: bars of contacts", bars > 0);
+  // The bar of the largest force of all frames is as wide as 0.8 of a radius; six digits.
+  differ.holds("animate: widest bar of a contact", std::abs(widest / (0.4 * cell_diameter) - 1.0) < 1e-3);
   // At least all free discs of each panel; images at the borders are drawn, too.
   const std::size_t drawn = plain.panels.size() + by_force.panels.size() + frames.size();
   differ.holds("colours: all discs of each picture", coloured >= free_discs_of_cell * static_cast<int>(drawn));
