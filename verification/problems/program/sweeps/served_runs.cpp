@@ -78,6 +78,16 @@ void check_server(const Program& program, Differences& differ) {
     differ.holds("server: message of " + item,
                  answer.body.value("/error/message"_json_pointer, "").starts_with("input: found " + item));
   }
+  // So does one with a number too few, or too many.
+  for (const std::size_t numbers : {std::size_t{2}, std::size_t{4}}) {
+    Json request = model;
+    request["input"] = Json::array({Json(numbers, 2.0)});
+    const ServerAnswer answer = server.post("/Evaluate", request);
+    const std::string item = "a list of " + std::to_string(numbers);
+    differ.compare("server: status of " + item, answer.status, 400);
+    differ.compare("server: message of " + item, answer.body.value("/error/message"_json_pointer, ""),
+                   "input: found " + item + "; it must be one list of 3 numbers");
+  }
 }
 
 }  // namespace talus::verification::problems::swept_scenes
