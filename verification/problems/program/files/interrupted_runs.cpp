@@ -103,8 +103,8 @@ double different_fence_files(const TemporaryFolder& folder) {
   const std::string limits = "1e8 1e8";
   deck.replace(deck.find(limits), limits.size(), "20000. 1e8");
   folder.write("fence.DAT", deck);
-  // Without the programs that draw the sheet, which is exit status 4 and keeps the checkpoint of an interrupted run, its
-  // page has no pictures.
+  // Without the programs that draw the sheet, its page has no pictures. That is exit status 4, and the checkpoint of an
+  // interrupted run remains.
   const auto is_drawn = [&](const std::vector<std::string>& arguments) {
     return run_talus(folder, arguments, {{"PATH", "/nowhere"}}).exit_code != 4;
   };

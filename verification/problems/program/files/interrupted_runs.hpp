@@ -2,7 +2,7 @@
 
 #include "verification/study/program/program_run.hpp"
 
-/// Interrupted runs that warn, that locate events, and of a fence, and a run into its folder; part of the case `run_files`.
+/// Interrupted runs that warn, that locate events, and of a fence, and a run into its folder; part of `run_files`.
 namespace talus::verification::problems::run_files {
 
 /// 0 if the summary of an interrupted run, including its warnings, is that of an uninterrupted one; otherwise 1. The

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "verification/problems/program/fit/fitted_ball.hpp"
 #include "verification/problems/program/pictures/picture_script.hpp"
 #include "verification/record/csv.hpp"
 #include "verification/record/json_node.hpp"
@@ -21,7 +22,7 @@ namespace {
 
 using records::Json;
 
-constexpr double mass = 2.0, radius = 0.1, stiffness = 2e4, damping = 40.0, gravity = 9.81, end = 0.9;
+constexpr double end = 0.9;
 constexpr std::array heights{0.25, 0.3, 0.4};  ///< of the centre at the start
 
 constexpr double other_height = 0.22;

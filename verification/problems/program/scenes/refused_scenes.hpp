@@ -3,7 +3,8 @@
 #include "verification/check/case.hpp"
 #include "verification/study/program/program_run.hpp"
 
-/// Scenes on both sides of what is refused, a run that diverges, and lines that represent bodies; part of the case `scene_fields`.
+/// Scenes on both sides of what is refused, a run that diverges, and lines that represent bodies; part of the case
+/// `scene_fields`.
 namespace talus::verification::problems::scene_fields {
 
 /// Pairs of scenes that differ in one number: one runs, the other one is refused with a message.
