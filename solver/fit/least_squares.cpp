@@ -124,7 +124,17 @@ struct Sample {
   std::vector<double> counts;
 };
 
-/// The deviations of a sample, each times the root of its count.
+/// The deviations of the rows of a sample, or their derivatives, each times the root of its count. `all`: of all rows,
+/// `width` of each.
+Matrix weighted(const Matrix& all, Eigen::Index width, const Sample& sample) {
+  Matrix found(static_cast<Eigen::Index>(sample.rows.size()) * width, all.cols());
+  for (std::size_t k = 0; k < sample.rows.size(); ++k)
+    found.middleRows(static_cast<Eigen::Index>(k) * width, width) =
+        std::sqrt(sample.counts[k]) * all.middleRows(static_cast<Eigen::Index>(sample.rows[k]) * width, width);
+  return found;
+}
+
+/// The deviations of a sample at a point, each times the root of its count.
 Vector weighted(UnitProblem& problem, const Vector& u, const Sample& sample) {
   Vector found = problem.deviations(u, sample.rows);
   const Eigen::Index width = found.size() / static_cast<Eigen::Index>(sample.rows.size());
@@ -240,23 +250,21 @@ Sample drawn_sample(std::mt19937_64& generator, std::size_t rows) {
   return sample;
 }
 
-/// The fit of a sample: steps with the derivatives of the whole fit, and a search if they do not converge.
-std::pair<Vector, bool> sample_fit(UnitProblem& problem, const Vector& start, const Matrix& slopes,
-                                   const Vector& errors, const Sample& sample, const FitRules& rules) {
+/// The fit of a sample: steps with the derivatives of the whole fit, and a search if they do not converge. `at_start`:
+/// the deviations of all rows where the whole fit ends.
+std::pair<Vector, bool> sample_fit(UnitProblem& problem, const Vector& start, const Vector& at_start,
+                                   const Matrix& slopes, const Vector& errors, const Sample& sample,
+                                   const FitRules& rules) {
   const Eigen::Index width = slopes.rows() / static_cast<Eigen::Index>(rules.rows);
-  Matrix of_sample(static_cast<Eigen::Index>(sample.rows.size()) * width, slopes.cols());
-  for (std::size_t k = 0; k < sample.rows.size(); ++k)
-    of_sample.middleRows(static_cast<Eigen::Index>(k) * width, width) =
-        std::sqrt(sample.counts[k]) * slopes.middleRows(static_cast<Eigen::Index>(sample.rows[k]) * width, width);
-  Vector u = start;
+  const Matrix of_sample = weighted(slopes, width, sample);
+  Vector u = start, deviations = weighted(at_start, width, sample);
   constexpr int maximum_steps = 12;
-  for (int step = 0; step < maximum_steps; ++step) {
-    const Vector deviations = weighted(problem, u, sample);
-    if (!deviations.allFinite()) break;
+  for (int step = 0; step < maximum_steps && deviations.allFinite(); ++step) {
     const Vector next = clamped(u + gauss_newton(of_sample, deviations, u));
     const double change = (next - u).cwiseQuotient(errors.cwiseMax(1e-12)).cwiseAbs().maxCoeff();
     u = next;
     if (change < 0.02) return {u, false};
+    deviations = weighted(problem, u, sample);
   }
   const Searched end = local_search(problem, sample, start, rules);
   return {end.u, end.is_limited};
@@ -328,7 +336,7 @@ Fit fit(const std::vector<FitParameter>& parameters, const FitModel& model, cons
   std::mt19937_64 generator{static_cast<std::uint64_t>(rules.seed)};
   for (std::size_t sample = 0; sample < rules.samples; ++sample) {
     const auto [of, is_limited] =
-        sample_fit(problem, u, slopes, spread.errors, drawn_sample(generator, rules.rows), rules);
+        sample_fit(problem, u, deviations, slopes, spread.errors, drawn_sample(generator, rules.rows), rules);
     found.samples.push_back(problem.values(of));
     found.unconverged += is_limited ? 1 : 0;
   }
