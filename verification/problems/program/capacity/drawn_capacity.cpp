@@ -1,14 +1,17 @@
 #include "verification/problems/program/capacity/drawn_capacity.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <tuple>
 #include <vector>
 
+#include "verification/problems/program/agreement/printed_sheet.hpp"
 #include "verification/problems/program/capacity/one_column.hpp"
 #include "verification/problems/program/pictures/picture_script.hpp"
 
@@ -42,15 +45,175 @@ constexpr std::array<ResultUnits, 2> all_units{
       {"kip", 1e3 * pound_force},
       {"kip ft", 1e3 * pound_force* foot}}}};
 
+/// Lines of the page of one map with expected rocks, from capacity.json.
+class PrintedCapacity {
+ public:
+  PrintedCapacity(const Json& capacity, const ResultUnits& units)
+      : all_{capacity}, first_{units}, second_{all_units[&units == all_units.data() ? 1 : 0]} {}
+
+  std::vector<std::string> lines() {
+    lines_ = {fmt::format("Rocks that the fence of {} stops: {} to {}", all_.at("base").get<std::string>(),
+                          named(all_.at("mass")[0], &ResultUnits::mass), named(all_.at("mass")[1], &ResultUnits::mass)),
+              fmt::format("at speeds of {} to {}", named(all_.at("speed")[0], &ResultUnits::speed),
+                          named(all_.at("speed")[1], &ResultUnits::speed))};
+    boxes(), boundary(), expected_rocks(), ends();
+    return lines_;
+  }
+
+ private:
+  using Quantity = Unit ResultUnits::*;
+
+  static std::string digits(double value) {
+    return value >= 1e4 && value < 1e7 ? fmt::format("{:.0f}", value) : fmt::format("{:.4g}", value);
+  }
+  std::string in_first(const Json& value, Quantity of) const {
+    return value.is_null() ? "unknown" : digits(value.get<double>() / (first_.*of).size);
+  }
+  std::string in_second(const Json& value, Quantity of) const {
+    return digits(value.get<double>() / (second_.*of).size);
+  }
+  std::string both(const Json& value, Quantity of) const {
+    return fmt::format("{} ({})", in_first(value, of), in_second(value, of));
+  }
+  std::string named(const Json& value, Quantity of) const {
+    return fmt::format("{} {} ({} {})", in_first(value, of), (first_.*of).name, in_second(value, of),
+                       (second_.*of).name);
+  }
+  std::string unit_of(Quantity of) const { return (first_.*of).name; }
+  std::string units_of(Quantity of) const { return fmt::format("{} ({})", (first_.*of).name, (second_.*of).name); }
+  void add(const std::vector<std::string>& cells) { lines_.push_back(fmt::format("{}|", fmt::join(cells, "|"))); }
+
+  const Json& map() const { return all_.at("maps").at(0); }
+  const Json& hazard() const { return all_.at("hazard"); }
+  static std::string spoken(std::string name) {
+    std::ranges::replace(name, '_', ' ');
+    return name;
+  }
+
+  void boxes() {
+    lines_.push_back("Probability of failure per impact: " +
+                     digits(hazard().at("probability_of_failure").get<double>()));
+    std::string expected = fmt::format("{} runs:", hazard().at("runs").get<int>());
+    for (const auto& [end, count] : hazard().at("ends").items())
+      if (count != 0) expected += fmt::format(" {} {},", count.get<int>(), spoken(end));
+    expected.pop_back();
+    double all = std::numeric_limits<double>::infinity(), none = 0.0;
+    for (const Json& line : map().at("boundary")) {
+      all = std::min(all, line.at("kinetic_energy")[0].get<double>());
+      none = std::max(none, line.at("kinetic_energy")[1].get<double>());
+    }
+    std::vector<std::string> facts{
+        "95 %",
+        fmt::format("{} to {}", digits(hazard().at("interval")[0].get<double>()),
+                    digits(hazard().at("interval")[1].get<double>())),
+        "expected rocks",
+        expected,
+        "energy",
+        fmt::format("every mass of the table is stopped up to {}; none is from {} on",
+                    named(all, &ResultUnits::drawn_energy), named(none, &ResultUnits::drawn_energy))};
+    if (const double factor = map().at("energy_factor").get<double>(); factor > 1.0)
+      facts.insert(facts.end(), {"one energy", fmt::format("misjudges masses by a factor of up to {:.3g}", factor)});
+    add(facts);
+    const Json& audit = map().at("audit");
+    const double full = map().at("full_grid_runs").get<double>();
+    lines_.push_back(fmt::format("Audit: {} of {} runs contradict the map", audit.at("contradictions").get<int>(),
+                                 audit.at("runs").get<int>()));
+    add({"runs",
+         fmt::format("{}, {:.3g} % of the full grid", map().at("runs").get<int>(),
+                     100.0 * map().at("runs").get<double>() / full),
+         "random",
+         fmt::format("speed +-{:.3g} %; seed {}", 100.0 * all_.at("changes").at("speed").get<double>(),
+                     all_.at("seed").get<int>()),
+         "model",
+         fmt::format("plane motion, {} fence, elastic, plastic or breaking cables, columns that do not break, no net",
+                     all_.at("symmetry") == "full" ? "whole" : "half"),
+         "interval",
+         "of the runs alone: it knows nothing of errors of the model; no conformity with a standard is claimed"});
+  }
+
+  void boundary() {
+    const auto range = [&](const Json& of, Quantity quantity) {
+      return in_first(of[0], quantity) + " to " + in_first(of[1], quantity);
+    };
+    const std::string mass = units_of(&ResultUnits::mass), speed = unit_of(&ResultUnits::speed),
+                      energy = unit_of(&ResultUnits::drawn_energy), force = units_of(&ResultUnits::drawn_force);
+    add({"", "rock", "speed", "kinetic energy", "anchor force", "cable force", "hanger force", "energy after", "height",
+         mass, speed, energy, force, force, force, units_of(&ResultUnits::drawn_energy)});
+    for (const Json& line : map().at("boundary")) {
+      const auto value = [&](const char* side, const char* output, const char* name, Quantity of) {
+        return both(line.at(side).at("outputs").at(output).at(name).at("value"), of);
+      };
+      add({in_first(map().at("height"), &ResultUnits::length) + " " + unit_of(&ResultUnits::length),
+           both(line.at("mass"), &ResultUnits::mass), range(line.at("speed"), &ResultUnits::speed),
+           range(line.at("kinetic_energy"), &ResultUnits::drawn_energy),
+           value("stopped", "fence.anchor_force", "p95", &ResultUnits::drawn_force),
+           value("stopped", "fence.cable_force", "p95", &ResultUnits::drawn_force),
+           value("stopped", "fence.hanger_force", "p95", &ResultUnits::drawn_force),
+           value("not_stopped", "fence.exit_energy", "median", &ResultUnits::drawn_energy)});
+    }
+    lines_.emplace_back(
+        "Stopped: with a probability above one half. Forces: 95th percentile at the first speed. Energy after: median "
+        "after the last contact at the second. ");
+  }
+
+  void expected_rocks() {
+    add({"", "", "", "", "", "", "unit", "median", "95th percentile", "its interval, 95 %"});
+    static constexpr Unit one{"", 1.0};
+    for (const auto& [name, label, of] :
+         {std::tuple{"fence.anchor_force", "anchor force", &first_.drawn_force},
+          {"fence.cable_force", "cable force", &first_.drawn_force},
+          {"fence.hanger_force", "hanger force", &first_.drawn_force},
+          {"fence.cable_margin", "cable force/limit", &one},
+          {"fence.hanger_margin", "hanger force/limit", &one},
+          {"fence.exit_energy", "energy after the last contact", &first_.drawn_energy}}) {
+      const Json& output = hazard().at("outputs").at(name);
+      if (output.is_null()) {
+        add({label, "", "no limit", "no limit", ""});
+        continue;
+      }
+      const auto number = [size = of->size](const Json& value) {
+        return value.is_null() ? "unknown" : digits(value.get<double>() / size);
+      };
+      const Json& p95 = output.at("p95");
+      add({label, of->name, number(output.at("median").at("value")), number(p95.at("value")),
+           number(p95.at("interval")[0]) + " to " + number(p95.at("interval")[1])});
+    }
+  }
+
+  void ends() {
+    add({"", "", "", "", "", "maps", "audits", "expected rocks"});
+    for (const auto& [end, count] : map().at("ends").items())
+      add({spoken(end), fmt::format("{}", count.get<int>()),
+           fmt::format("{}", map().at("audit").at("ends").at(end).get<int>()),
+           fmt::format("{}", hazard().at("ends").at(end).get<int>())});
+  }
+
+  const Json& all_;
+  const ResultUnits &first_, &second_;
+  std::vector<std::string> lines_;
+};
+
+void check_page(const Program& program, const std::string& folder, const ResultUnits& units, Differences& differ) {
+  const std::vector<std::string> found = agreeing_files::lines_of_page(program.read(folder + "/capacity.html"));
+  const Json capacity = program.file(folder + "/capacity.json");
+  const std::vector<std::string> expected = PrintedCapacity{capacity, units}.lines();
+  differ.compare("lines of the page", found.size(), expected.size());
+  for (std::size_t i = 0; i < std::min(found.size(), expected.size()); ++i)
+    differ.compare(fmt::format("'{}' on the page", expected[i]), found[i], expected[i]);
+}
+
 void check_units(const Program& program, const ResultUnits& units, Differences& differ) {
   constexpr double spin = 30.0;
   std::string base = fence(fmt::format("spin = \"{} rad/s\"\n", spin));
   base.replace(base.find("\"SI\""), 4, fmt::format("\"{}\"", units.system));
   program.write("fence.toml", base);
-  program.write("drawn.toml", question(8, ""));
+  program.write("drawn.toml", question(8,
+                                       "[hazard]\nmass = \"200 kg\"\nspeed = { p95 = \"7 m/s\", p99 = \"9 m/s\" }\n"
+                                       "height = \"4.5 m\"\nruns = 20\n"));
   const std::string folder = fmt::format("drawn_{}", units.system);
-  const std::string text =
-      talus_output(program.folder(), {"capacity", "drawn.toml", "--out", folder}, picture_options::recorded_pictures());
+  const std::string text = talus_output(program.folder(), {"capacity", "drawn.toml", "--out", folder, "--sheet"},
+                                        picture_options::recorded_pictures());
+  check_page(program, folder, units, differ);
   const Json map = Json::parse(program.read(folder + "/capacity.json")).at("maps").at(0);
   const auto quantile = [](const Json& line, const char* of, const char* output, const char* name) {
     return line.at(of).at("outputs").at(output).at(name).at("value").get<double>();

@@ -48,7 +48,8 @@ struct Picture {
   std::vector<Panel> panels{};
 };
 
-/// Environment in which the program finds the recorder in place of gnuplot: pictures are then their commands.
+/// Environment in which the program finds the recorders in place of gnuplot and pdflatex: pictures are then their
+/// commands, and a page is its text.
 [[nodiscard]] std::map<std::string, std::string> recorded_pictures();
 
 /// Text between the first `before` and the next `after`; empty if there is none.
