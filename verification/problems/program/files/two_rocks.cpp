@@ -12,6 +12,8 @@
 #include "verification/check/case.hpp"
 #include "verification/check/case_file.hpp"
 #include "verification/problems/program/files/animation_page.hpp"
+#include "verification/problems/program/files/drawn_sheet.hpp"
+#include "verification/problems/program/pictures/picture_script.hpp"
 #include "verification/record/csv.hpp"
 #include "verification/record/json_node.hpp"
 #include "verification/record/whole_file.hpp"
@@ -516,7 +518,7 @@ void run(Findings& findings, const Setup& setup) {
   std::vector<std::string> arguments{"run", "fence.toml", "--out", "out", "--integrator", integrator, "--end", end};
   const bool sheet_is_needed = setup.needs("sheet: ");
   if (sheet_is_needed) arguments.emplace_back("--sheet");
-  const std::string printed = talus_output(folder, arguments);
+  const std::string printed = talus_output(folder, arguments, picture_options::recorded_pictures());
   if (setup.needs("animation")) check_animation_page(folder, findings, setup);
   if (setup.needs("alone")) check_alone(folder, deck, findings, setup);
   if (setup.needs("history by codes")) check_codes(folder, deck, findings), check_loads(folder, deck, findings);
@@ -534,6 +536,7 @@ void run(Findings& findings, const Setup& setup) {
   check_rocks(sheet, history, codes, findings, setup);
   check_parts(sheet, history, codes, findings);
   check_verdict(sheet, summary, printed, findings);
+  check_drawn_sheet(folder, sheet_json, findings);
   const Node repeat = sheet.at("quality").at("repeat");
   const double growth = repeat.at("change_of_largest_cable_force").number() / repeat.at("change_of_speed").number();
   findings.expect_between("sheet: change of the largest cable force over that of the rocks' speed", growth, 0.25, 4.0,
