@@ -1,10 +1,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <set>
+#include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "verification/check/case.hpp"
@@ -181,6 +184,42 @@ void check_samples(const Program& program, Worst& worst, Differences& differ) {
         differ.compare("half of the runs have each value", weak, 32);
       }
     }
+  }
+}
+
+/// A Latin hypercube of many runs: each axis takes its parts in a random order, independent of those of other axes.
+void check_orders(const Program& program, Differences& differ) {
+  constexpr std::size_t runs = 2500;
+  const std::array<std::pair<const char*, const char*>, 4> axes{{{"body.ball.mass", "kg"},
+                                                                 {"body.ball.velocity[0]", "m/s"},
+                                                                 {"body.ball.velocity[1]", "m/s"},
+                                                                 {"contact.hit.damping", "N s/m"}}};
+  std::string text = outputs + fmt::format("[design]\nkind = \"latin_hypercube\"\nruns = {}\nseed = 2\n", runs);
+  for (const auto& [field, unit] : axes)
+    text += axis(field, fmt::format("range = [\"1 {0}\", \"2 {0}\"]", unit));
+  program.write("orders.toml", text);
+  program.run({"sweep", "plan", "orders.toml"});
+  std::array<std::vector<double>, 4> points;  // in [0, 1)
+  std::istringstream lines{program.read("orders/manifest.jsonl")};
+  for (std::string line; std::getline(lines, line);) {
+    const Json run = Json::parse(line);
+    for (std::size_t i = 0; i < axes.size(); ++i)
+      points[i].push_back(std::stod(run.at("parameters").at(axes[i].first).get<std::string>()) - 1.0);
+  }
+  differ.compare("runs of a large design", points[0].size(), runs);
+  // Of n numbers in a random order (n - 1)/2 are smaller than their position on average, with a variance of (n + 1)/12
+  // (Eulerian numbers): over all axes 0.5 +- 0.0029. If each place is exchanged with any other one, 0.527 are smaller.
+  int smaller = 0;
+  for (const std::vector<double>& of : points)
+    for (std::size_t run = 0; run < of.size(); ++run)
+      smaller += of[run] < static_cast<double>(run) / runs ? 1 : 0;
+  differ.holds("random order of the parts of an axis", std::abs(smaller / (4.0 * runs) - 0.5) < 4.5 * 0.0029);
+  for (std::size_t a = 0; a < axes.size(); ++a) {
+    double product = 0.0;
+    const std::vector<double>& other = points[(a + 1) % axes.size()];
+    for (std::size_t run = 0; run < other.size(); ++run)
+      product += 12.0 * (points[a][run] - 0.5) * (other[run] - 0.5) / runs;
+    differ.holds("independent orders of two axes", std::abs(product) < 4.5 / std::sqrt(runs));
   }
 }
 
@@ -402,6 +441,7 @@ void run(Findings& findings, const Setup& setup) {
     check_engines(program, grid_text(), differ);
     check_units(program, differ);
     check_plans(program, differ);
+    check_orders(program, differ);
     check_refusals(program, differ);
   }
   findings.expect("velocity after the impact over the exact one, largest deviation from 1", worst.velocity, 0.0,
