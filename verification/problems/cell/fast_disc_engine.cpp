@@ -130,6 +130,32 @@ void expect_single_calls(Findings& findings, const Setup& setup) {
   findings.expect_exact({"engines", name}, differ, 0.0, "the same sums of the same numbers");
 }
 
+/// Two discs that a latching spring presses, and that part so fast that one step takes them beyond the neighbour list.
+void expect_parted_discs(Findings& findings, const Setup& setup) {
+  const std::string name = "energy lost by a contact that leaves the list within a step, over the closed form, ";
+  if (!setup.needs(name + "fast engine") && !setup.needs(name + "plain engine")) return;
+  constexpr double overlap = 0.1, skin = 0.4, far = 10.0;
+  DiscShapes shapes;
+  Discs start;
+  for (const double side : {-1.0, 1.0})
+    shapes.add(0.5, 1.0), start.add(0.5 * side * (1.0 - overlap), 0.0, side, 0.0);
+  DiscSystem plain{shapes, PeriodicBox{}, latching, skin};
+  FastDiscSystem fast{shapes, PeriodicBox{}, latching, skin};
+  Discs of_plain = start, of_fast = start;
+  plain.begin(of_plain), fast.begin(of_fast);
+  plain.kick(of_plain, step), fast.kick(of_fast, step);
+  plain.drift(of_plain, far), fast.drift(of_fast, far);
+  findings.count(plain.evaluations() + fast.evaluations());
+  // Loaded along K1 and unloaded along K2, a spring keeps K1/K2 of its energy.
+  const double lost =
+      0.5 * latching.stiffness * overlap * overlap * (1.0 - latching.stiffness / latching.unloading_stiffness);
+  const char* const why =
+      "the overlap is a difference of numbers ten times as large: 1.1e-15 of it, and twice that of its square; four "
+      "times as much";
+  findings.expect_round_off({"engines", name + "fast engine"}, fast.lost() / lost, 1.0, 1e-14, why);
+  findings.expect_round_off({"engines", name + "plain engine"}, of_plain.dissipated() / lost, 1.0, 1e-14, why);
+}
+
 /// Several threads compared with one, over few steps: threads wait for each other where there are fewer processors.
 void expect_threads(Findings& findings, const Setup& setup) {
   if (!setup.needs("threads")) return;
@@ -224,6 +250,7 @@ void run(Findings& findings, const Setup& setup) {
   expect_same(findings, setup, "Hunt and Crossley", hysteresis, Frictionless{});
   expect_same(findings, setup, "Hunt and Crossley, n = 2.3, friction", any_power, rough);
   expect_single_calls(findings, setup);
+  expect_parted_discs(findings, setup);
   expect_threads(findings, setup);
   if (setup.needs("a loop over all pairs")) expect_all_pairs(findings, setup);
   if (!setup.coarse) show_order(findings);
