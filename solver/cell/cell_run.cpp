@@ -296,7 +296,7 @@ std::vector<CellRun::ActingContact> CellRun::acting_contacts() const {
       cell_.friction ? std::visit([](const auto& of) { return of.coefficient; }, *cell_.friction) : 0.0;
   const auto add = [&](const DiscContact& contact) {
     if (contact.force == 0.0) return;
-    // The stretch at the limit is rounded, so that the force may be a bit less than the limit.
+    // The stretch at the limit is rounded: the force may lack the last bit of mu N.
     constexpr double rounding = 1e-9;
     const bool sliding =
         cell_.friction && std::abs(contact.friction) >= (1.0 - rounding) * coefficient * std::max(contact.force, 0.0);

@@ -42,7 +42,7 @@ enum class CellQuantity : std::size_t {
   normal_virial,
   multiple_normal_virial,
   kinetic_shear,  ///< the same for the momentum carried by moving discs [F/L]
-  sliding,        ///< contacts whose friction is at its limit
+  sliding,        ///< contacts whose friction is at its limit, by the normal force at the end of the step
   spin,           ///< mean of the free discs, counter-clockwise > 0 [1/T]
   count,
 };

@@ -259,12 +259,13 @@ std::pair<Vector, bool> sample_fit(UnitProblem& problem, const Vector& start, co
   const Matrix of_sample = weighted(slopes, width, sample);
   Vector u = start, deviations = weighted(at_start, width, sample);
   constexpr int maximum_steps = 12;
-  for (int step = 0; step < maximum_steps && deviations.allFinite(); ++step) {
+  for (int step = 0; step < maximum_steps; ++step) {
+    if (step > 0) deviations = weighted(problem, u, sample);
+    if (!deviations.allFinite()) break;
     const Vector next = clamped(u + gauss_newton(of_sample, deviations, u));
     const double change = (next - u).cwiseQuotient(errors.cwiseMax(1e-12)).cwiseAbs().maxCoeff();
     u = next;
     if (change < 0.02) return {u, false};
-    deviations = weighted(problem, u, sample);
   }
   const Searched end = local_search(problem, sample, start, rules);
   return {end.u, end.is_limited};

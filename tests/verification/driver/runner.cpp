@@ -31,8 +31,8 @@ using nlohmann::json;
 namespace {
 
 /// Whether memory can be limited: the address sanitizer itself reserves terabytes of addresses, and ends a process
-/// whose allocation is refused.
-#if defined(__SANITIZE_ADDRESS__)
+/// whose allocation is refused; a process that counts its lines needs memory at its end.
+#if defined(__SANITIZE_ADDRESS__) || defined(TALUS_COUNTED_LINES)
 constexpr bool limits_memory = false;
 #else
 constexpr bool limits_memory = true;

@@ -13,12 +13,12 @@ namespace talus::verification::problems::run_files {
 /// with two events, the touch and the separation; otherwise 1.
 [[nodiscard]] double different_events(const TemporaryFolder& folder);
 
-/// Number of files of a fence's run that differ from those of an interrupted one, or that only one of both has. Its
+/// Number of files of a fence's run that differ from those of an interrupted one; 1 if one folder has other files. Its
 /// cables yield before the interruption, which is between two rows, states and lines of the listing.
 [[nodiscard]] double different_fence_files(const TemporaryFolder& folder);
 
-/// Number of files of the run with warnings that differ if it is run into the folder of that fence, or that only one of
-/// both folders has. Call after the others.
+/// Number of files of the run with warnings that differ if it is run into the folder of that fence, which has a
+/// checkpoint; 1 if one folder has other files. Call after the others.
 [[nodiscard]] double different_after_a_fence(const TemporaryFolder& folder);
 
 }  // namespace talus::verification::problems::run_files

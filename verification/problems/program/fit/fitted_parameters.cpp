@@ -77,7 +77,7 @@ void check_bars(const std::string& script, const records::Csv& rows, Differences
   }
 }
 
-/// What is printed of the fit of noisy heights, beside its JSON.
+/// Compares the printed fit of noisy heights with its JSON output.
 void check_printed(const std::string& printed, const Json& fit, Differences& differ) {
   const std::string text = squeezed(printed);
   differ.contains("printed counts", text,

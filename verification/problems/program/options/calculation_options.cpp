@@ -288,7 +288,7 @@ void check_other_commands(const Program& program, Differences& differ) {
                std::abs(program.json({"run", "unstepped.toml"}, {{"--json", {}}}).at("step").get<double>() /
                             (duration / (1000.0 * in_row)) -
                         1.0) < 1e-12);
-  // Outputs that the scene gives: a contact of 31.4 ms is warned of if it has fewer than two.
+  // Outputs that the scene gives: a warning is printed if a contact of 31.4 ms has fewer than two of them.
   for (const auto& [step, warns] : {std::pair{"15.6 ms", false}, {"15.8 ms", true}}) {
     std::string seldom = drop_text();
     seldom.replace(seldom.find("velocity_verlet"), 15, "stormer_cowell");

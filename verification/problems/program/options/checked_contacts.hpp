@@ -2,7 +2,7 @@
 
 #include "verification/study/program/program_options.hpp"
 
-/// What `talus check` prints of contacts and bodies; part of the case `calculation_options`.
+/// Contacts and bodies in the output of `talus check`; part of the case `calculation_options`.
 namespace talus::verification::problems::calculation_options {
 
 /// `check` names the worse of two bodies beyond the bound of their moment of inertia, of two overlaps at the start, and

@@ -78,7 +78,7 @@ void check_server(const Program& program, Differences& differ) {
     differ.holds("server: message of " + item,
                  answer.body.value("/error/message"_json_pointer, "").starts_with("input: found " + item));
   }
-  // So does one with a number too few, or too many.
+  // Likewise for lists with too few or too many numbers.
   for (const std::size_t numbers : {std::size_t{2}, std::size_t{4}}) {
     Json request = model;
     request["input"] = Json::array({Json(numbers, 2.0)});
