@@ -100,9 +100,9 @@ void check_advice(const Program& program, Findings& findings, Differences& diffe
   const double grown = change * reference::state_at({frequency, 0.0, 0.0, 1.0}, end).velocity;
   findings.expect("talus advise: growth of differences over that of the free oscillation, deviation from 1",
                   growth.at("result").get<double>() / std::abs(grown / hung_state(end).velocity) - 1.0, 0.0,
-                  Tolerance::model(0.02,
-                                   "the largest speed of a run is that of its outputs, at least 64: 0.2 % too small; "
-                                   "differences of 2.7e-12 m/s are rounded by some 1e-14 m/s"));
+                  Tolerance::model(0.5,
+                                   "both runs choose their steps, so that a difference of 2e-12 m/s is known to some "
+                                   "tenths; a start that does not scale with the speed changes it by a factor of 2.9"));
   differ.compare("advise: units", advice.value("units", "SI"), std::string("SI"));
   bool is_tried = false;
   for (const Json& method : advice.at("tried")) {
