@@ -117,8 +117,8 @@ const ColumnRecord* FenceSummary::closest_hanger() const {
   return largest(columns, [](const ColumnRecord& column) { return column.margin(); });
 }
 
-FenceMonitor::FenceMonitor(const Fence& fence, const FenceScene& made, const Dynamics& dynamics)
-    : fence_{&fence}, made_{&made}, dynamics_{&dynamics} {
+FenceMonitor::FenceMonitor(const Fence& fence, const FenceScene& made, const Dynamics& dynamics, FenceResults results)
+    : fence_{&fence}, made_{&made}, dynamics_{&dynamics}, results_{results} {
   list_parts();
   list_positions();
   touch_x_.resize(rocks_.size());
@@ -267,14 +267,17 @@ void FenceMonitor::begin(const State& state) {
 void FenceMonitor::operator()(const Snapshot& snapshot, const StepInfo& info) {
   const State& state = snapshot.state();
   now_ = &snapshot.pulls(), forces_now_ = &snapshot.forces();
-  if (!started_) begin(state);
+  const bool first = !started_, all = results_ == FenceResults::all;
+  if (first) begin(state);
   watch_rocks(state);
-  watch_columns(state);
-  watch_cables(state);
-  watch_anchors(state);
-  watch_heights(state);
-  history_.proceed();
-  if (info.due || info.stop) history_.add(row(state), info.due);
+  if (first || all) watch_heights(state);
+  if (all) {
+    watch_columns(state);
+    watch_cables(state);
+    watch_anchors(state);
+    history_.proceed();
+    if (info.due || info.stop) history_.add(row(state), info.due);
+  }
   time_ = state.t;
 }
 

@@ -126,11 +126,16 @@ struct FenceSummary {
   const ColumnRecord* closest_hanger() const;
 };
 
+/// The results that a FenceMonitor collects: all, or those of the rocks alone, from which the verdict follows, and the
+/// heights at the start. Forces, travels and later heights are then zero.
+enum class FenceResults { all, of_rocks };
+
 /// Observer that summarises a fence's run. It uses every step; time integrals use the trapezoidal rule.
 class FenceMonitor {
  public:
-  /// All arguments must outlive the monitor.
-  FenceMonitor(const Fence& fence, const FenceScene& made, const Dynamics& dynamics);
+  /// The fence, its scene and the dynamics must outlive the monitor.
+  FenceMonitor(const Fence& fence, const FenceScene& made, const Dynamics& dynamics,
+               FenceResults results = FenceResults::all);
 
   void operator()(const Snapshot& snapshot, const StepInfo& info);
   /// Serializes the data carried from step to step; restore into a monitor of the same run.
@@ -138,7 +143,7 @@ class FenceMonitor {
 
   const FenceSummary& summary() const { return summary_; }
   /// Rows at output steps and at the last step: time, each rock's x, y and velocity along x, largest hanger force,
-  /// largest tension of top and bottom segments.
+  /// largest tension of top and bottom segments. None with FenceResults::of_rocks.
   const History& history() const { return history_; }
 
  private:
@@ -160,6 +165,7 @@ class FenceMonitor {
   const Fence* fence_;
   const FenceScene* made_;
   const Dynamics* dynamics_;
+  FenceResults results_;
   const Workspace* now_{};  ///< of the state being processed
   const LawForces* forces_now_{};
   std::vector<BodyId> rocks_;

@@ -27,7 +27,7 @@ RunOutputs outputs_of(const OutputRequest& request, const std::filesystem::path&
 }  // namespace
 
 SceneRun::SceneRun(const SceneFile& file, const std::filesystem::path& folder, const std::filesystem::path& scene,
-                   const OutputOptions& options, RecordedColumns recorded)
+                   const OutputOptions& options, RecordedColumns recorded, scenes::FenceResults of_fence)
     : file_{&file},
       scene_{&file.scene},
       folder_{folder},
@@ -43,7 +43,7 @@ SceneRun::SceneRun(const SceneFile& file, const std::filesystem::path& folder, c
       sheet_{options.sheet},
       parts_{dynamics_, file.scene.plan.ledger} {
   if (!folder.empty()) outputs_ = outputs_of({file, dynamics_, folder, scene.stem().string(), options}, scene);
-  if (file.fence) fence_.emplace(file.fence->fence, file.fence->made, dynamics_);
+  if (file.fence) fence_.emplace(file.fence->fence, file.fence->made, dynamics_, of_fence);
 }
 
 State SceneRun::started(State state) {

@@ -22,10 +22,11 @@ namespace talus::app {
 class SceneRun {
  public:
   /// With an empty `folder` nothing is written. `scene` is the scene's file, after which output files are named.
-  /// `recorded`: see Recorder; record() needs all columns. `file` must outlive this object. Errors: InputError with the
-  /// scene's file; IoError.
+  /// `recorded`: see Recorder; record() needs all columns, and all results of a fence. `file` must outlive this object.
+  /// Errors: InputError with the scene's file; IoError.
   SceneRun(const SceneFile& file, const std::filesystem::path& folder, const std::filesystem::path& scene,
-           const OutputOptions& options, RecordedColumns recorded = {});
+           const OutputOptions& options, RecordedColumns recorded = {},
+           scenes::FenceResults of_fence = scenes::FenceResults::all);
 
   /// Saves or restores the complete state of the run; a run of the same scene continues from it.
   void serialize(Archive& archive);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -138,6 +139,12 @@ std::vector<std::size_t> SceneNumbers::columns() const {
     if (const auto* const peak = std::get_if<OfPeak>(&source)) found.insert(peak->column);
   }
   return {found.begin(), found.end()};
+}
+
+scenes::FenceResults SceneNumbers::of_fence() const {
+  const bool is_used = std::ranges::any_of(
+      sources_, [](const Source& source) { return std::holds_alternative<scenes::FenceOutput>(source); });
+  return is_used ? scenes::FenceResults::all : scenes::FenceResults::of_rocks;
 }
 
 Observer SceneNumbers::observer(const SceneRun& run) {

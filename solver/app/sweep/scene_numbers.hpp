@@ -35,6 +35,8 @@ class SceneNumbers {
   const std::vector<SweepOutput>& outputs() const { return outputs_; }
   /// Columns of the history that the run must record, in ascending order; see Recorder.
   [[nodiscard]] std::vector<std::size_t> columns() const;
+  /// Results that the run of a fence must collect.
+  [[nodiscard]] scenes::FenceResults of_fence() const;
   /// An observer of the run that collects what the run itself does not; none if it is not needed. This object and the
   /// run must outlive it.
   [[nodiscard]] Observer observer(const SceneRun& run);

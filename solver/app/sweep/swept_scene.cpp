@@ -50,7 +50,7 @@ SweepResult SweptScene::result(const SweptRun& run, const SweepLimits& limits,
     return result;
   }
   const UnitSystem& units = file->scene.model.units;
-  SceneRun scene_run{*file, {}, name_, {}, numbers->columns()};
+  SceneRun scene_run{*file, {}, name_, {}, numbers->columns(), numbers->of_fence()};
   RunLimits end{limits, interrupted, stride};
   Outcome outcome = scene_run.proceed([&](const State&) { return end.reached(scene_run.run_state().evaluations); },
                                       nullptr, numbers->observer(scene_run));

@@ -144,6 +144,25 @@ BOOST_AUTO_TEST_CASE(peaks_and_passage) {
   BOOST_TEST(run.summary().travel == largest);
 }
 
+/// A watch of the rocks alone finds the same passage and verdict, and the heights at the start.
+BOOST_AUTO_TEST_CASE(a_watch_of_the_rocks_alone) {
+  Watched all{modern_sample2()}, alone{modern_sample2(), FenceResults::of_rocks};
+  BOOST_TEST(static_cast<bool>(all.run(0.05)));
+  BOOST_TEST(static_cast<bool>(alone.run(0.05)));
+  const RockPassage &found = alone.summary().rocks.front(), &expected = all.summary().rocks.front();
+  BOOST_TEST(expected.touched);
+  BOOST_TEST(found.exit_time == expected.exit_time);
+  BOOST_TEST(found.exit_velocity.x == expected.exit_velocity.x);
+  BOOST_TEST(found.end_energy == expected.end_energy);
+  BOOST_TEST(found.travel == expected.travel);
+  BOOST_TEST(found.highest == expected.highest);
+  BOOST_TEST(found.distance == expected.distance);
+  BOOST_TEST((alone.summary().verdict() == all.summary().verdict()));
+  BOOST_TEST(alone.summary().layers.front().top.start == all.summary().layers.front().top.start);
+  BOOST_TEST(alone.summary().largest_hanger()->hanger.peak == 0.0);
+  BOOST_TEST(alone.watch.history().rows.empty());
+}
+
 /// States made by hand: a rock that approaches, touches, is reversed and leaves; a fence that sinks and is pushed.
 BOOST_AUTO_TEST_CASE(states_made_by_hand) {
   Fence fence = modern_sample2();

@@ -23,12 +23,12 @@ inline Fence modern_sample2() {
 
 /// A fence with its summary, run or fed with states made by hand.
 struct Watched {
-  explicit Watched(const Fence& given)
+  explicit Watched(const Fence& given, FenceResults results = FenceResults::all)
       : fence{given},
         made{fence_scene(fence)},
         dynamics{made.scene.model},
         system{dynamics, true},
-        watch{fence, made, dynamics} {
+        watch{fence, made, dynamics, results} {
     state = made.scene.initial;
     system.begin(state);
   }

@@ -9,8 +9,8 @@
 namespace talus::verification::problems::agreeing_files {
 
 /// The lines of sheet.html that follow from sheet.json, of a usable run of two rocks in US units that both touch a half
-/// fence, in their order: the lines above the tables, and the heads, rows and note of each table. Cells, names and texts
-/// end with a bar.
+/// fence, in their order: the lines above the tables, and the heads, rows and note of each table. Cells, names and
+/// texts end with a bar.
 [[nodiscard]] std::vector<std::string> expected_page(const records::Json& sheet);
 
 /// The same lines of sheet.html, without tags.

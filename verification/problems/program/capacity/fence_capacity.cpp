@@ -326,7 +326,7 @@ void check_audit(const Program& program, Differences& differ) {
                    std::abs(audit.at("interval").at(1).get<double>() - (k + 0.5 * z2 + half) / (n + z2)) < 1e-12);
 }
 
-/// Rocks so slow that they cross but 8 of the 10 mm to the column within 0.4 s are not stopped, faster ones are: at nodes
+/// Rocks that cross only 8 of the 10 mm to the column within 0.4 s are not stopped, faster ones are: at nodes
 /// between, which have no runs, the map is open, and an audit there counts none.
 void check_open_audit(const Program& program, Differences& differ) {
   constexpr int audited = 6;

@@ -111,10 +111,12 @@ double different_fence_files(const TemporaryFolder& folder) {
     return run_talus(folder, arguments, {{"PATH", "/nowhere"}}).exit_code != 4;
   };
   if (ends_otherwise({"run", "fence.DAT", "--end", "12 ms", "--sheet", "--out", "fence"}) ||
-      ends_otherwise({"run", "fence.DAT", "--end", "12 ms", "--sheet", "--out", "fence_halves", "--until", "6.05 ms"}) ||
+      ends_otherwise(
+          {"run", "fence.DAT", "--end", "12 ms", "--sheet", "--out", "fence_halves", "--until", "6.05 ms"}) ||
       ends_otherwise({"run", "--resume", "fence_halves"}))
     return 1.0;
-  return files_of(folder, "fence").size() < 10 ? 1.0 : different_files(folder, "fence", "fence_halves", {"checkpoint.json"});
+  return files_of(folder, "fence").size() < 10 ? 1.0
+                                               : different_files(folder, "fence", "fence_halves", {"checkpoint.json"});
 }
 
 double different_after_a_fence(const TemporaryFolder& folder) {

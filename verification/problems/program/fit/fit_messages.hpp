@@ -5,7 +5,7 @@
 /// Warnings and refusals of fits; part of the case `fitted_parameters`.
 namespace talus::verification::problems::fitted_parameters {
 
-/// Checks the warnings of fits: parameters that cannot be distinguished, one at its bound, a wrong model, text and fields.
+/// Checks the warnings of fits: parameters that cannot be distinguished, one at its bound, a wrong model.
 void check_warnings(const Program& program, Differences& differ);
 
 /// Wrong files of a fit: messages with line and key, and nothing written.
