@@ -221,8 +221,12 @@ void check_counted_bounces(const Program& program, Findings& findings, Differenc
                         1e2 * (radius + bounces[1].apex_gap), 1e3 * (bounces[1].start_time + late));
   }
   program.write("data.csv", data);
+  // Steps of 1 ms are enough for some thousand runs.
+  std::string coarse = scene;
+  const std::string step = "0.25 ms";
+  program.write("coarse.toml", coarse.replace(coarse.find(step), step.size(), "1 ms"));
   program.write("counted.fit.toml", R"(title = "Counted bounces"
-scene = "counted.toml"
+scene = "coarse.toml"
 data = "data.csv"
 [[input]]
 column = "drop [mm]"
@@ -275,8 +279,9 @@ samples = 0
   const auto value = [&](std::size_t i) { return fit.at("parameters").at(i).at("value").get<double>(); };
   keep_worst(worst, value(0) / (1e-3 * stiffness) - 1.0);
   keep_worst(worst, value(1) / damping - 1.0);
-  findings.expect("bouncing ball: each bounce: largest difference of a fitted parameter from the true one", worst, 0.0,
-                  Tolerance::model(5e-5, "times of impacts to 2e-7 s, of contacts of 0.03 s"));
+  findings.expect(
+      "bouncing ball: each bounce: largest difference of a fitted parameter from the true one", worst, 0.0,
+      Tolerance::model(1e-4, "times of impacts to 4e-6 s of contacts of 0.03 s, in one of three quantities"));
 
   // Nothing to compare with: the impact is beyond the end of the run.
   std::string none = program.read("counted.fit.toml");
