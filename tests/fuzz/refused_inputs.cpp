@@ -126,4 +126,10 @@ BOOST_AUTO_TEST_CASE(run_folder_of_unknown_units) {
   folder.refuses(folder.changed("\"SI\"", "\"IS\""), ": units: unit system 'IS' is not known");
 }
 
+// A misspelt percentile was compared with the other one although it had no value.
+BOOST_AUTO_TEST_CASE(a_misspelt_percentile) {
+  const Tried capacity{"capacity"};
+  capacity.refuses(capacity.changed("p99 = \"65", "P99 = \"65"), ":17: hazard: speed: P99: this key is not known");
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -82,9 +82,11 @@ RockNumber read_number(SceneTable& table, std::string_view key, Dimension dimens
     const std::size_t errors = table.source().errors();
     number = {percentiles.quantity("p95", dimension, Range::positive),
               percentiles.quantity("p99", dimension, Range::positive)};
-    if (table.source().errors() == errors && !(number.p95 <= number.p99))
+    // A misspelt key is an error later on.
+    const auto *const p95 = percentiles.value("p95"), *const p99 = percentiles.value("p99");
+    if (p95 && p99 && table.source().errors() == errors && !(number.p95 <= number.p99))
       percentiles.fail("p99", fmt::format("found {}, less than the percentile of 95 %, {}; it must be at least that",
-                                          found(*percentiles.value("p99")), found(*percentiles.value("p95"))));
+                                          found(*p99), found(*p95)));
   });
   return number;
 }
