@@ -124,22 +124,21 @@ struct Sample {
   std::vector<double> counts;
 };
 
-/// The deviations of the rows of a sample, or their derivatives, each times the root of its count. `all`: of all rows,
-/// `width` of each.
-Matrix weighted(const Matrix& all, Eigen::Index width, const Sample& sample) {
+/// The deviations of a sample, or their derivatives, each times the root of its count.
+Matrix weighted(Matrix of_sample, const Sample& sample) {
+  const Eigen::Index width = of_sample.rows() / static_cast<Eigen::Index>(sample.rows.size());
+  for (std::size_t k = 0; k < sample.rows.size(); ++k)
+    of_sample.middleRows(static_cast<Eigen::Index>(k) * width, width) *= std::sqrt(sample.counts[k]);
+  return of_sample;
+}
+
+/// The part of a sample in the deviations of all `rows`, or in their derivatives.
+Matrix part_of(const Matrix& all, std::size_t rows, const Sample& sample) {
+  const Eigen::Index width = all.rows() / static_cast<Eigen::Index>(rows);
   Matrix found(static_cast<Eigen::Index>(sample.rows.size()) * width, all.cols());
   for (std::size_t k = 0; k < sample.rows.size(); ++k)
     found.middleRows(static_cast<Eigen::Index>(k) * width, width) =
-        std::sqrt(sample.counts[k]) * all.middleRows(static_cast<Eigen::Index>(sample.rows[k]) * width, width);
-  return found;
-}
-
-/// The deviations of a sample at a point, each times the root of its count.
-Vector weighted(UnitProblem& problem, const Vector& u, const Sample& sample) {
-  Vector found = problem.deviations(u, sample.rows);
-  const Eigen::Index width = found.size() / static_cast<Eigen::Index>(sample.rows.size());
-  for (std::size_t k = 0; k < sample.rows.size(); ++k)
-    found.segment(static_cast<Eigen::Index>(k) * width, width) *= std::sqrt(sample.counts[k]);
+        all.middleRows(static_cast<Eigen::Index>(sample.rows[k]) * width, width);
   return found;
 }
 
@@ -154,7 +153,7 @@ struct Objective {
     auto& of = *static_cast<Objective*>(data);
     try {
       const Vector u = Eigen::Map<const Vector>(at, static_cast<Eigen::Index>(count));
-      return sum_of(weighted(*of.problem, u, *of.sample));
+      return sum_of(weighted(of.problem->deviations(u, of.sample->rows), *of.sample));
     } catch (...) {
       of.error = std::current_exception();
       nlopt_force_stop(of.search);
@@ -255,12 +254,11 @@ Sample drawn_sample(std::mt19937_64& generator, std::size_t rows) {
 std::pair<Vector, bool> sample_fit(UnitProblem& problem, const Vector& start, const Vector& at_start,
                                    const Matrix& slopes, const Vector& errors, const Sample& sample,
                                    const FitRules& rules) {
-  const Eigen::Index width = slopes.rows() / static_cast<Eigen::Index>(rules.rows);
-  const Matrix of_sample = weighted(slopes, width, sample);
-  Vector u = start, deviations = weighted(at_start, width, sample);
+  const Matrix of_sample = weighted(part_of(slopes, rules.rows, sample), sample);
+  Vector u = start, deviations = weighted(part_of(at_start, rules.rows, sample), sample);
   constexpr int maximum_steps = 12;
   for (int step = 0; step < maximum_steps; ++step) {
-    if (step > 0) deviations = weighted(problem, u, sample);
+    if (step > 0) deviations = weighted(problem.deviations(u, sample.rows), sample);
     if (!deviations.allFinite()) break;
     const Vector next = clamped(u + gauss_newton(of_sample, deviations, u));
     const double change = (next - u).cwiseQuotient(errors.cwiseMax(1e-12)).cwiseAbs().maxCoeff();
