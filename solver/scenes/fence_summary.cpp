@@ -266,8 +266,9 @@ void FenceMonitor::begin(const State& state) {
 
 void FenceMonitor::operator()(const Snapshot& snapshot, const StepInfo& info) {
   const State& state = snapshot.state();
-  now_ = &snapshot.pulls(), forces_now_ = &snapshot.forces();
   const bool first = !started_, all = results_ == FenceResults::all;
+  now_ = all ? &snapshot.pulls() : &snapshot.geometry();
+  forces_now_ = all ? &snapshot.forces() : nullptr;
   if (first) begin(state);
   watch_rocks(state);
   if (first || all) watch_heights(state);

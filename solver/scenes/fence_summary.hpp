@@ -166,8 +166,8 @@ class FenceMonitor {
   const FenceScene* made_;
   const Dynamics* dynamics_;
   FenceResults results_;
-  const Workspace* now_{};  ///< of the state being processed
-  const LawForces* forces_now_{};
+  const Workspace* now_{};         ///< of the state being processed
+  const LawForces* forces_now_{};  ///< likewise; null with FenceResults::of_rocks
   std::vector<BodyId> rocks_;
   std::vector<std::array<Vec2, 2>> joints_;  ///< top and bottom joint of each column, in the column's axes [L]
   std::vector<std::size_t> hangers_;         ///< index of the joint of each column's hanger
