@@ -34,10 +34,12 @@ Integrator with_tolerance(T integrator, double tolerance) {
                                  is_required ? "" : ", or left out")};
   }
   if (tolerance != 0.0 && !takes_tolerance(T::step_control)) {
-    throw InputError{fmt::format("integrator '{}' has no step control; its tolerance must be left out", T::name)};
+    throw InputError{
+        fmt::format("integrator '{}': tolerance is {}; it has no step control, so leave it out", T::name, tolerance)};
   }
   if (tolerance == 0.0 && is_required) {
-    throw InputError{fmt::format("integrator '{}' has no fixed step; it needs a tolerance > 0", T::name)};
+    throw InputError{
+        fmt::format("integrator '{}': tolerance is missing; it has no fixed step and needs one > 0", T::name)};
   }
   if constexpr (takes_tolerance(T::step_control)) integrator.tolerance = tolerance;
   return integrator;

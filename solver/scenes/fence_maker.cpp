@@ -91,6 +91,13 @@ void FenceMaker::plan() {
   plan.step = fence_.step_factor == 0.0 ? made_.critical_step : fence_.step_factor * made_.critical_step;
   plan.end = static_cast<double>(fence_.steps) * plan.step;
   plan.interval = static_cast<double>(fence_.history_every) * plan.step;
+  if (!(plan.step > 0.0 && std::isfinite(plan.end))) {
+    throw FenceError{
+        {0, "step_factor",
+         fmt::format("the step is {:.3g} and the end {:.3g}; both must be finite and > 0. The critical step, "
+                     "{:.3g}, follows from the masses of rock and column and the speed of the rock",
+                     plan.step, plan.end, made_.critical_step)}};
+  }
   plan.watch = fence_.options.watch;
   const IntegratorChoice chosen =
       choose_integrator(made_.scene.model, fence_.options.integrator, fence_.options.tolerance);

@@ -132,4 +132,18 @@ BOOST_AUTO_TEST_CASE(a_misspelt_percentile) {
   capacity.refuses(capacity.changed("p99 = \"65", "P99 = \"65"), ":17: hazard: speed: P99: this key is not known");
 }
 
+// The step of a fence of almost no mass was 0, which ended a run by a broken contract.
+BOOST_AUTO_TEST_CASE(fence_of_almost_no_mass) {
+  const Tried fence{"fence"};
+  fence.refuses(fence.changed("density = \"0.38 slug/ft^3\"", "density = \"4.9e-324 slug/ft^3\""), ":");
+}
+
+// Errors without a place.
+BOOST_AUTO_TEST_CASE(places_in_errors) {
+  const Tried pairs{"pairs"}, folder{"run_folder"};
+  pairs.refuses("# a wall\nmass;speed\n", ":2: found the header \"mass;speed\"");
+  folder.refuses(folder.changed("\"kind\": \"body\"", "\"kind\": \":\""),
+                 ": geometry: kind of a body ':' is not known");
+}
+
 BOOST_AUTO_TEST_SUITE_END()

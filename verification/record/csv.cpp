@@ -98,12 +98,13 @@ Csv::Csv(std::filesystem::path file, std::string_view text) : file_{std::move(fi
                                     line, as_utf8(cell)));
     return cell;
   };
+  const std::size_t header_line = splitter.line();
   for (bool last = false; !last;)
     header_.emplace_back(next_cell(last));
   if (header_.size() == 1 && header_.front().find(';') != std::string::npos) {
     throw RecordError(
-        fmt::format("{}: found the header \"{}\"; cells must be separated by commas, with points in numbers",
-                    file_.string(), header_.front()));
+        fmt::format("{}:{}: found the header \"{}\"; cells must be separated by commas, with points in numbers",
+                    file_.string(), header_line, header_.front()));
   }
   while (splitter.find_row()) {
     lines_.push_back(splitter.line());

@@ -21,7 +21,9 @@ void read_bodies(const records::Node& geometry, const std::filesystem::path& fil
   for (const records::Node& body : geometry.at("bodies").list()) {
     const std::string kind = body.at("kind").text();
     if (std::find(std::begin(body_kinds), std::end(body_kinds), kind) == std::end(body_kinds)) {
-      throw InputError{fmt::format("{}: body kind '{}' is not known", file.string(), kind)};
+      const std::vector<std::string> known{std::begin(body_kinds), std::end(body_kinds)};
+      throw InputError{
+          fmt::format("{}: geometry: {}", file.string(), unknown_name("kind of a body", kind, known).what())};
     }
     files.bodies.push_back({body.at("name").text(), body.at("number").integer(), kind});
   }

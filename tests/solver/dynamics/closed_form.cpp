@@ -85,7 +85,7 @@ BOOST_AUTO_TEST_CASE(the_choice_is_exact_where_it_can_be) {
              "integrator 'exact': the motion between events must be linear, but contact 'touch': the law hertz is not "
              "linear");
   BOOST_TEST(message(has_one, "exact", 1e-6) ==
-             "integrator 'exact' has no step control; its tolerance must be left out");
+             "integrator 'exact': tolerance is 1e-06; it has no step control, so leave it out");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

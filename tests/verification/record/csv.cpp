@@ -76,8 +76,8 @@ BOOST_AUTO_TEST_CASE(broken_files_are_refused_with_file_and_line) {
   BOOST_TEST(refused("# f\xfcr\nx,y\n1,w\xfcrfel\n") ==
              "a.csv:3: found \"w\u00fcrfel\", which is not UTF-8; save the file as UTF-8");
   BOOST_TEST(refused("x,h\xf6he\n1,2\n") == "a.csv:1: found \"h\u00f6he\", which is not UTF-8; save the file as UTF-8");
-  BOOST_TEST(refused("x;y\n1,5;2\n") ==
-             "a.csv: found the header \"x;y\"; cells must be separated by commas, with points in numbers");
+  BOOST_TEST(refused("# y\nx;y\n1,5;2\n") ==
+             "a.csv:2: found the header \"x;y\"; cells must be separated by commas, with points in numbers");
   const Csv twice("a.csv", "x,y,x\n1,2,3\n");
   BOOST_TEST(twice.column("y") == 1U);
   BOOST_TEST(error_message([&] { (void)twice.column("x"); }) ==

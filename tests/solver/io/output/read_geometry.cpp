@@ -215,9 +215,10 @@ BOOST_AUTO_TEST_CASE(what_no_run_left_is_named) {
                    "plot.histories[1]: " + outside));
   BOOST_TEST(holds(wrong(R"({"title": "t", "units": "SI", "histories": [], "geometry": {"index": "../x"}})"),
                    "plot.geometry.index: " + outside));
-  BOOST_TEST(holds(wrong(R"({"title": "t", "units": "SI", "histories": [], "geometry": {"index": "g", "cables": [],
+  BOOST_TEST(holds(
+      wrong(R"({"title": "t", "units": "SI", "histories": [], "geometry": {"index": "g", "cables": [],
                             "bodies": [{"name": "b", "number": 1, "kind": "tree"}]}})"),
-                   "plot.json: body kind 'tree' is not known"));
+      "plot.json: geometry: kind of a body 'tree' is not known; nearest: rock; known: ground, rock, column, body"));
   BOOST_TEST(holds(wrong(R"({"title": "t", "units": null, "histories": [], "geometry": {"index": "g", "period": 0}})"),
                    "plot.json: period: found 0; it must be > 0"));
   BOOST_CHECK_THROW(static_cast<void>(read_run_folder(folder.path / "none")), IoError);

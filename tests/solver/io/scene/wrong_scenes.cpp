@@ -185,7 +185,7 @@ BOOST_AUTO_TEST_CASE(what_is_missing_or_has_no_place) {
   BOOST_TEST(message("damping = \"2 N s/m\"", "damping = \"2 N s/m\"\nnodes = 12") ==
              "s.toml:22: contact 'bounce': nodes: contact by resultant has no nodes; leave it out");
   BOOST_TEST(message("\"rk4\"", "\"rk4\"\ntolerance = 1e-6") ==
-             "s.toml:28: integrator 'rk4' has no step control; its tolerance must be left out");
+             "s.toml:28: integrator 'rk4': tolerance is 1e-06; it has no step control, so leave it out");
 }
 
 BOOST_AUTO_TEST_CASE(what_the_model_refuses) {
