@@ -42,6 +42,12 @@ std::string Program::read(const std::string& name) const { return has(name) ? fo
 records::Json Program::file(const std::string& name) const { return records::read_json(folder_.path() / name); }
 records::Csv Program::csv(const std::string& name) const { return records::read_csv(folder_.path() / name); }
 
+void replace(std::string& text, const std::string& old, const std::string& with) {
+  const std::size_t at = text.find(old);
+  if (at == std::string::npos) throw std::runtime_error(fmt::format("'{}' is expected in a text", old));
+  text.replace(at, old.size(), with);
+}
+
 std::string squeezed(const std::string& text) {
   std::string result;
   for (const char letter : text)

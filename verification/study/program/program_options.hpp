@@ -50,6 +50,9 @@ class Program {
   const Setup* setup_;
 };
 
+/// Replaces the first `old` in a text. Throws std::runtime_error if there is none.
+void replace(std::string& text, const std::string& old, const std::string& with);
+
 /// The text with single blanks in place of several.
 [[nodiscard]] std::string squeezed(const std::string& text);
 

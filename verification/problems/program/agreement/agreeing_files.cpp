@@ -15,6 +15,7 @@
 #include "verification/record/csv.hpp"
 #include "verification/reference/impacts/restitution.hpp"
 #include "verification/study/findings/expectations.hpp"
+#include "verification/study/program/program_options.hpp"
 
 namespace talus::verification::problems::agreeing_files {
 namespace {

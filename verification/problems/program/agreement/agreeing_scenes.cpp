@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <numbers>
-#include <stdexcept>
 
 namespace talus::verification::problems::agreeing_files {
 namespace {
@@ -74,12 +73,6 @@ strength_top = "23500 lbf"
 )";
 
 }  // namespace
-
-void replace(std::string& text, const std::string& old, const std::string& with) {
-  const std::size_t at = text.find(old);
-  if (at == std::string::npos) throw std::runtime_error(fmt::format("'{}' is expected in a scene", old));
-  text.replace(at, old.size(), with);
-}
 
 Facts yard() {
   return {.file = "yard",

@@ -67,9 +67,6 @@ struct Facts {
   bool mirrored{};
 };
 
-/// Replaces the first `old` in a text. Throws std::runtime_error if there is none.
-void replace(std::string& text, const std::string& old, const std::string& with);
-
 /// Three discs on the ground with contacts of three laws, and two cables, in SI. Numbers of the laws:
 inline constexpr double low_radius = 0.5, high_radius = 0.4, side_radius = 0.3;
 inline constexpr double low_stiffness = 2000.0, low_damping = 8.0, loading = 3000.0, unloading = 5000.0,

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "verification/problems/program/agreement/agreeing_scenes.hpp"
+#include "verification/study/program/program_options.hpp"
 
 namespace talus::verification::problems::agreeing_files {
 namespace {

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -29,12 +28,6 @@ using Vector = std::array<double, 3>;
 
 // International foot and avoirdupois pound, exact by definition (1959), and standard gravity.
 constexpr double metre = 0.3048, newton = 0.45359237 * 9.80665, kilogram = newton / metre, joule = newton * metre;
-
-void replace(std::string& text, const std::string& old, const std::string& with) {
-  const std::size_t at = text.find(old);
-  if (at == std::string::npos) throw std::runtime_error("'" + old + "' is expected in a scene");
-  text.replace(at, old.size(), with);
-}
 
 /// The scene of Table 2 with its spin in revolutions per minute.
 std::string scene_text(const Setup& setup) {

@@ -415,11 +415,8 @@ void check_files(Findings& findings, const Setup& setup) {
 /// The sample fence with four columns, so that the rock strikes between two of them.
 std::string fence_text(const std::string& options) {
   std::string text = records::read_whole(case_file("fence/sample2.toml"));
-  const auto replace = [&text](const std::string& old, const std::string& with) {
-    text.replace(text.find(old), old.size(), with);
-  };
-  replace("columns = 13", "columns = 4");
-  replace("history_elements = [2, 3, 4, 5, 6]", "history_elements = [2]");
+  replace(text, "columns = 13", "columns = 4");
+  replace(text, "history_elements = [2, 3, 4, 5, 6]", "history_elements = [2]");
   return text + "\n[fence.options]\n" + options;
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <stdexcept>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -31,12 +30,6 @@ using records::Node;
 // International foot and avoirdupois pound, exact by definition (1959), and standard gravity.
 constexpr double metre = 0.3048, newton = 0.45359237 * 9.80665, joule = newton * metre;
 const std::string integrator = "auto", end = "30 ms";
-
-void replace(std::string& text, const std::string& old, const std::string& with) {
-  const std::size_t at = text.find(old);
-  if (at == std::string::npos) throw std::runtime_error("sample2.toml: '" + old + "' is expected in it");
-  text.replace(at, old.size(), with);
-}
 
 /// The sample deck as a scene, with a second, smaller rock that hits above the first and a little later, and with top
 /// and bottom cables of different limits. The history has a row for every step; the history by codes has the
