@@ -283,7 +283,7 @@ samples = 0
       "bouncing ball: each bounce: largest difference of a fitted parameter from the true one", worst, 0.0,
       Tolerance::model(5e-5,
                        "times of impacts are off by at most (g + c v/m) h^2/(8 v) = 9e-7 s, of contacts of 0.03 s; "
-                       "the stiffness goes with the square of their ratio, 6e-5 if all are off by as much"));
+                       "the stiffness is off by twice their ratio, 6e-5 if all are off by as much"));
 
   // Nothing to compare with: the impact is beyond the end of the run.
   std::string none = program.read("counted.fit.toml");
