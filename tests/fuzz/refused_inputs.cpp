@@ -146,4 +146,11 @@ BOOST_AUTO_TEST_CASE(places_in_errors) {
                  ": geometry: kind of a body ':' is not known");
 }
 
+// The system refused the file of a figure, without a place in the record.
+BOOST_AUTO_TEST_CASE(file_of_a_figure_with_a_long_name) {
+  const Tried record{"record"};
+  record.refuses(record.changed("\"csv\": \"", "\"csv\": \"" + std::string(300, '[')),
+                 ": record.figures[0].csv: must be a file name of at most 200 bytes");
+}
+
 BOOST_AUTO_TEST_SUITE_END()
