@@ -11,8 +11,15 @@ double leapfrog_limit(double damping_ratio) {
   return 2.0 * (std::sqrt(1.0 + xi * xi) - xi);
 }
 
-/// Brackets the limit on a grid, then bisects.
+/// Brackets the limit on a grid, then bisects. The last limit is kept: a monitor asks at each of its samples, and most
+/// scenes have one damping ratio, 0.
 double first_growth(double (*growth)(double h, double damping_ratio), double damping_ratio) {
+  struct Found {
+    double (*growth)(double, double) = nullptr;
+    double damping_ratio = 0.0, limit = 0.0;
+  };
+  thread_local Found last;
+  if (last.growth == growth && last.damping_ratio == damping_ratio) return last.limit;
   double stable = 0.0;
   double h = 0.001;
   while (growth(h, damping_ratio) <= 1.0 + 1e-12)
@@ -21,17 +28,19 @@ double first_growth(double (*growth)(double h, double damping_ratio), double dam
     const double middle = 0.5 * (stable + h);
     (growth(middle, damping_ratio) <= 1.0 + 1e-12 ? stable : h) = middle;
   }
+  last = {growth, damping_ratio, stable};
   return stable;
 }
 
 double fourth_order_growth(double h, double damping_ratio) {
   const double xi = damping_ratio;
   const std::complex<double> root = std::sqrt(std::complex<double>{xi * xi - 1.0, 0.0});
-  double largest = 0.0;
-  for (const std::complex<double> z : {h * (-xi + root), h * (-xi - root)}) {
-    largest = std::max(largest, std::abs(1.0 + z * (1.0 + z / 2.0 * (1.0 + z / 3.0 * (1.0 + z / 4.0)))));
-  }
-  return largest;
+  const auto factor = [](const std::complex<double>& z) {
+    return std::abs(1.0 + z * (1.0 + z / 2.0 * (1.0 + z / 3.0 * (1.0 + z / 4.0))));
+  };
+  const double slow = factor(h * (-xi + root));
+  // Conjugate roots have one factor.
+  return xi < 1.0 ? slow : std::max(slow, factor(h * (-xi - root)));
 }
 
 }  // namespace talus

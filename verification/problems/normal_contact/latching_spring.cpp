@@ -215,7 +215,7 @@ void check_growth(Findings& findings, const Setup& setup) {
       0.0065,
       "as for the constant ratio, with the error of the largest overlap in K2; the next order is (w2 h)^2 of it, "
       "0.0065 at the highest speed");
-  double given = 0.0;
+  double given = 0.0, times = 0.0;
   for (const double speed : {0.0625, 0.25, 1.0}) {
     constexpr double e = 0.6;
     LatchingSpring law = growing_latch(speed, {}).law;
@@ -225,13 +225,17 @@ void check_growth(Findings& findings, const Setup& setup) {
     // A stiffness and a mass other than 1.
     law.stiffness = 3.0;
     law.set_restitution(e, 2.0, speed);
-    keep_worst(
-        given,
-        reference::latching_events({3.0, law.unloading_stiffness, law.growth, 2.0, speed}).restitution / e - 1.0);
+    const reference::LatchingEvents events =
+        reference::latching_events({3.0, law.unloading_stiffness, law.growth, 2.0, speed});
+    keep_worst(given, events.restitution / e - 1.0);
+    keep_worst(times, law.contact_time(2.0, speed) / events.contact_time - 1.0);
+    keep_worst(times, law.largest_overlap(2.0, speed) / events.largest_depth - 1.0);
   }
   findings.expect_round_off(
       "closed-form e of a growing K2 that is set for e = 0.6, three speeds, largest relative error", given, 0.0, 1e-15,
       "K2 = K1/e^2 less its growth, about ten roundings of half that in e");
+  findings.expect_round_off("contact time and overlap that the law gives for a growing K2, largest relative error",
+                            times, 0.0, 1e-15, "two quarter periods, about ten roundings");
   if (setup.coarse) return;
   findings.figure({.name = "speeds",
                    .title = "Restitution decreases with speed",

@@ -401,6 +401,34 @@ void check_turning(Findings& findings, const Setup& setup) {
                         "seven of thirteen in a half model, with three modes of sleep");
 }
 
+/// Checks that columns which move at the start are awake: the central one flies freely, since its neighbours move as
+/// it does, with the same bits in any mode of sleep.
+void check_thrown(Findings& findings, const Setup& setup) {
+  constexpr double speed = 3.0, step = 2e-6;  // [ft/s], [s]
+  constexpr long count = 100;
+  scenes::Fence fence = published_fence("table_2.DAT");
+  fence.rocks[0].position.x += 1.0;  // it touches nothing
+  if (!setup.has("columns_not_thrown")) fence.column.velocity = {speed, 0.0};
+  double bits = 0.0, path = 0.0;
+  std::optional<State> without_sleep;
+  for (const Sleep sleep : {Sleep::off, Sleep::exact, Sleep::on}) {
+    fence.options.sleep = sleep;
+    const Scene scene = scenes::fence_scene(fence).scene;
+    const State state = run_steps(scene, VelocityVerlet{}, step, count, findings).state;
+    const BodyId column = *find_body(scene.model, "column1");
+    const double moved = pose(scene.model, state, column).p_WB.x - scene.model.bodies[index(column)].p_WB.x;
+    keep_worst(path, moved / (speed * count * step) - 1.0);
+    if (!without_sleep) without_sleep = state;
+    for (std::size_t i = 0; i < state.v.size(); ++i)
+      keep_worst(bits, worst_of({state.q[i] - without_sleep->q[i], state.v[i] - without_sleep->v[i]}));
+  }
+  findings.expect_round_off(
+      {"thrown_columns", "columns with a velocity at the start: path of the central one over v t, deviation from 1"},
+      path, 0.0, 1e-9, "cables between bodies that move alike stay in balance; the ends are five columns away");
+  findings.expect_exact("columns with a velocity at the start: state against the run without sleep, largest difference",
+                        bits, 0.0, "all columns are awake from the first step");
+}
+
 /// Moves one column at a time and checks that the guards of its cables, at any position in the row, equal those
 /// computed without omissions.
 void check_guards(Findings& findings, const Setup& setup) {
@@ -460,6 +488,7 @@ void run(Findings& findings, const Setup& setup) {
   if (setup.needs("sleep exact") || setup.needs("sleep by default")) check_sleep(findings, setup, table);
   check_fall(findings, setup);
   if (setup.needs("with a moment")) check_turning(findings, setup);
+  if (setup.needs("with a velocity")) check_thrown(findings, setup);
   if (setup.needs("columns awake")) check_length(findings, setup, table);
   if (setup.needs("with every pair") || setup.needs("with every guard")) check_contacts(findings, setup, table);
   if (setup.needs("tensions of rows") || setup.needs("without ledger")) check_rows(findings, setup, table);
@@ -487,6 +516,7 @@ Case definition() {
       .faults = {{"default_for_exact", "the default threshold where `exact` is required", "exact_sleep"},
                  {"never_asleep", "a fence that never sleeps", "awake_columns"},
                  {"moment_left_out", "columns without their moment", "turned_columns"},
+                 {"columns_not_thrown", "columns without their velocity", "thrown_columns"},
                  {"pair_forgotten", "one pair of the yard never found",
                   "yard: state at the end against the run with every pair, largest difference"},
                  {"no_time_ahead", "located events without the guards of inactive modes",

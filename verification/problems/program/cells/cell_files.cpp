@@ -14,6 +14,7 @@
 #include "verification/check/case.hpp"
 #include "verification/problems/program/cells/cell_results.hpp"
 #include "verification/problems/program/cells/contacting_cells.hpp"
+#include "verification/problems/program/cells/interrupted_cell.hpp"
 #include "verification/problems/program/cells/last_rows.hpp"
 #include "verification/problems/program/cells/reference_cell.hpp"
 #include "verification/problems/program/cells/written_cells.hpp"
@@ -376,6 +377,7 @@ void run(Findings& findings, const Setup& setup) {
   check_summary(Node{summary, "summary.json"}, expected, before, ended, findings, setup);
   if (setup.needs("of cells")) check_written_cells(folder, findings, setup);
   if (setup.needs("last rows")) check_last_rows(folder, findings, setup);
+  if (setup.needs("resumed")) check_interrupted(folder, findings, setup);
   if (setup.needs("whose discs touch")) check_contacting_cells(folder, findings, setup);
   if (setup.needs("mirrored"))
     check_mirrored(folder, before, Node{summary, "summary.json"}.at("results"), findings, setup);
@@ -411,6 +413,8 @@ Case definition() {
               "(reference)",
           .faults = {{"whole_loops", "a cell that ends with a whole LOOP, compared with one that ends a step later",
                       "last rows and steadiness of cells: values that differ"},
+                     {"resumed_cell_of_another_seed", "a cell with another seed in place of the resumed one",
+                      "cell with choices of the command line, resumed: files that differ from those in one run"},
                      {"faster_block", "a block too fast by a factor of 1 + 1e-7",
                       "history.csv: means over each LOOP, largest error"},
                      {"started_later", "an elapsed time in RESTART.DAT too long by 1e-9 s",

@@ -2,9 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <filesystem>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,6 +9,7 @@
 #include "verification/check/case_file.hpp"
 #include "verification/record/json_node.hpp"
 #include "verification/record/whole_file.hpp"
+#include "verification/study/program/compared_folders.hpp"
 
 namespace talus::verification::problems::run_files {
 namespace {
@@ -62,27 +60,6 @@ std::pair<Json, Json> summaries(const TemporaryFolder& folder, const std::string
   (void)talus_output(folder, {"run", "--resume", halves});
   const auto summary = [&](const std::string& out) { return records::read_json(folder.path() / out / "summary.json"); };
   return {summary(name), summary(halves)};
-}
-
-/// All files in a folder and in its folders.
-std::set<std::string> files_of(const TemporaryFolder& folder, const std::string& out) {
-  std::set<std::string> files;
-  const std::filesystem::path whole = folder.path() / out;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator{whole})
-    if (entry.is_regular_file()) files.insert(entry.path().lexically_relative(whole).string());
-  return files;
-}
-
-/// Number of files that differ between two folders; 1 if one of both has other files, besides those that are `allowed`.
-double different_files(const TemporaryFolder& folder, const std::string& one, const std::string& other,
-                       const std::set<std::string>& allowed = {}) {
-  std::set<std::string> files = files_of(folder, one), others = files_of(folder, other);
-  for (const std::string& file : allowed)
-    files.erase(file), others.erase(file);
-  if (others != files) return 1.0;
-  return static_cast<double>(std::ranges::count_if(files, [&](const std::string& file) {
-    return folder.read(fmt::format("{}/{}", one, file)) != folder.read(fmt::format("{}/{}", other, file));
-  }));
 }
 
 }  // namespace

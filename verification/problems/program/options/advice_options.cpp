@@ -93,13 +93,24 @@ void check_advice(const Program& program, Findings& findings, Differences& diffe
   differ.contains("advise: growth printed", printed,
                   fmt::format("differences of {:.0e} in the start grow to {:.0e}", growth.at("start").get<double>(),
                               growth.at("result").get<double>()));
-  // The velocity at the start changes by 1e-6 of the accuracy and of the largest speed A w, times a factor of at most 1
-  // that the direction gives: 2 frac(d (sqrt(5) - 1)/2) - 1 in direction d of 2. The rope stays taut.
+  // The velocity number i at the start changes by 1e-6 of the accuracy and of the largest speed A w, times a factor of
+  // at most 1 that the direction d gives, 1 or 2: 2 frac(d i (sqrt(5) - 1)/2) - 1. It is largest with d i = 2, in the
+  // second direction for the first velocity, and in the first one for the second. The rope stays taut.
+  std::string second = program.read("plain.toml");
+  second.insert(second.find("[[body]]"),
+                "[[body]]\nname = \"other\"\nmobility = \"sliding_x\"\nmass = \"1 kg\"\n"
+                "position = [\"5 m\", \"0 m\"]\n");
+  program.write("second.toml", second);
+  Options of_second = in_json;
+  of_second[3].second = {"second_advised.toml"};
+  const Json grown_second = program.json({"advise", "second.toml"}, of_second).at("growth");
   const double frequency = std::sqrt(hung_stiffness / hung_mass), factor = std::abs(2.0 * (std::sqrt(5.0) - 2.0) - 1.0);
   const double change = 1e-6 * accuracy * factor * std::abs(hung_y - hung_rest) * frequency;
   const double grown = change * reference::state_at({frequency, 0.0, 0.0, 1.0}, end).velocity;
-  findings.expect("talus advise: growth of differences over that of the free oscillation, deviation from 1",
-                  growth.at("result").get<double>() / std::abs(grown / hung_state(end).velocity) - 1.0, 0.0,
+  double worst = 0.0;
+  for (const Json& found : {growth, grown_second})
+    keep_worst(worst, found.at("result").get<double>() / std::abs(grown / hung_state(end).velocity) - 1.0);
+  findings.expect("talus advise: growth of differences over that of the free oscillation, deviation from 1", worst, 0.0,
                   Tolerance::model(0.5,
                                    "both runs choose their steps, so that a difference of 2e-12 m/s is known to some "
                                    "tenths; a start that does not scale with the speed changes it by a factor of 2.9"));

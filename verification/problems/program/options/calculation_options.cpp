@@ -325,7 +325,7 @@ void check_other_commands(const Program& program, Differences& differ) {
                                     version.output.find("\nbuild ") != std::string::npos);
   for (const std::string shell : {"bash", "zsh", "fish"}) {
     const std::string script = run_talus(program.folder(), {"completion", shell}).output;
-    for (const std::string word : {"calibrate", "sweep", "collect", "restitution"})
+    for (const std::string word : {"calibrate", "sweep", "collect", "restitution", "' sweep run'", "' sweep collect'"})
       differ.contains("completion by " + shell + ": " + word, script, word);
     differ.compare("completion by " + shell + ": braces", std::ranges::count(script, '{'),
                    std::ranges::count(script, '}'));

@@ -127,7 +127,12 @@ void check_lighter_corners(const Program& program, Differences& differ) {
                     "between = [\"plate\", \"plane\"]\nlaw = \"linear_spring_dashpot\"\nstiffness = \"{} N/m\"\n"
                     "damping = \"{} N s/m\"\nend_rule = \"attractive\"\n[run]\nintegrator = \"rk4\"\n"
                     "step = \"{} s\"\nend = \"1 ms\"\n",
-                    mass, inertia, degrees, a, b, stiffness, damping, step));
+                    mass, inertia, degrees, a, b, stiffness, damping, step) +
+            // A contact that always acts with the mass of its disc, which is less than that of any corner.
+            "[[body]]\nname = \"disc\"\nmobility = \"particle\"\nmass = \"0.1 kg\"\nposition = [\"3 m\", \"1 m\"]\n"
+            "shape = { kind = \"circle\", radius = \"0.5 m\" }\n[[contact]]\nname = \"light\"\n"
+            "between = [\"disc\", \"plane\"]\nlaw = \"linear_spring_dashpot\"\nstiffness = \"3 kN/m\"\n"
+            "damping = \"0 N s/m\"\n");
     const std::string printed = squeezed(program.run({"check", "plate.toml"}));
     const Corner now = corner(lightest), worst = corner(minimum);
     differ.contains("check: the lightest corner at the start", printed,
@@ -137,6 +142,8 @@ void check_lighter_corners(const Program& program, Differences& differ) {
                    printed.find(fmt::format("\n touch {:.5g} {:g} {:.5g} {:.5g} {:.5g}\n", minimum, mass,
                                             worst.frequency, worst.time, worst.time / step)) != std::string::npos,
                    minimum < 0.99 * lightest);
+    differ.compare("check: a disc whose contact cannot become lighter",
+                   printed.find(" light 0.1 0.1") != std::string::npos, false);
   }
 }
 
