@@ -59,16 +59,20 @@ void Dynamics::find_rest() {
 }
 
 Workspace Dynamics::workspace() const {
-  Workspace work;
-  work.poses = Poses(model_.bodies.size());
-  work.wrenches = work.pulls = Wrenches(model_.bodies.size());
-  work.joints = JointPoints(cables_.joints().size());
-  work.gaps.resize(contacts_.size());
-  work.rates.resize(contacts_.size());
-  work.normal_forces.resize(contacts_.size());
-  work.near.resize(contacts_.candidates());
-  work.paths = Paths(cables_.size());
-  work.lines = CableLinearization(cables_.size());
+  const std::size_t bodies = model_.bodies.size();
+  Workspace work{.poses = Poses(bodies),
+                 .wrenches = Wrenches(bodies),
+                 .pulls = Wrenches(bodies),
+                 .joints = JointPoints(cables_.joints().size()),
+                 .paths = Paths(cables_.size()),
+                 .lines = CableLinearization(cables_.size()),
+                 .gaps = std::vector<Gap>(contacts_.size()),
+                 .rates = std::vector<double>(contacts_.size()),
+                 .normal_forces = std::vector<LawForce>(contacts_.size()),
+                 .active = {},
+                 .topology = {},
+                 .sweep = {},
+                 .near = std::vector<char>(contacts_.candidates())};
   bodies_.set_fixed_poses(work);
   cables_.set_anchors(work);
   const State rest = rest_state(model_);

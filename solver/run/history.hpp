@@ -59,6 +59,8 @@ class Recorder {
   void serialize(Archive& archive);
 
   const History& history() const { return history_; }
+  /// Whether all columns are recorded.
+  bool records_all() const { return !recorded_; }
   /// All columns. The time, the recorded columns and those of the ledger belong to the last observed step; others are
   /// older, unless this step has a row of the history.
   const std::vector<double>& row() const { return row_; }

@@ -40,8 +40,8 @@ SceneRun::SceneRun(const SceneFile& file, const std::filesystem::path& folder, c
       failures_{dynamics_},
       watch_{file.scene, dynamics_, run_state_.state},
       overlap_warnings_{app::start_warnings(file, dynamics_)},
-      sheet_{options.sheet},
-      parts_{dynamics_, file.scene.plan.ledger} {
+      sheet_{options.sheet} {
+  if (recorder_.records_all()) parts_.emplace(dynamics_, file.scene.plan.ledger);
   if (!folder.empty()) outputs_ = outputs_of({file, dynamics_, folder, scene.stem().string(), options}, scene);
   if (file.fence) fence_.emplace(file.fence->fence, file.fence->made, dynamics_, of_fence);
 }
@@ -87,14 +87,15 @@ Outcome SceneRun::proceed(const StopCondition& stop, Progress* progress, const O
   };
   using Clock = std::chrono::steady_clock;
   const Observer observers[] = {[&](const Snapshot& seen, const StepInfo& info) {
+    if (!parts_) return observe(seen, info);
     if (!StepParts::timed(info.step)) {
       observe(seen, info);
     } else {
       const Clock::time_point start = Clock::now();
       observe(seen, info);
-      parts_.observed(Clock::now() - start);
+      parts_->observed(Clock::now() - start);
     }
-    parts_.look(seen.state(), info);
+    parts_->look(seen.state(), info);
   }};
   const auto broken = [&] { return !watch_.violation().empty(); };
   const auto look = [&](const Snapshot& seen, long at) {
@@ -116,8 +117,10 @@ Outcome SceneRun::proceed(const StopCondition& stop, Progress* progress, const O
     return broken() || ends_early_ || (stop && stop(seen));
   };
   Outcome outcome = simulate(system_, run_state_, scene_->plan, observers, stops, &seen_);
-  parts_.ended(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, run_state_.step - first,
-               run_state_.evaluations - evaluations);
+  if (parts_) {
+    parts_->ended(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, run_state_.step - first,
+                  run_state_.evaluations - evaluations);
+  }
   // simulate() does not call the stop condition after the last step, so that step is checked here.
   if (outcome.kind == Outcome::Kind::finished) look(seen_, ++step);
   if (outcome && broken()) return {Outcome::Kind::diverged, outcome.time, watch_.violation()};

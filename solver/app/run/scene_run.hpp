@@ -22,7 +22,8 @@ namespace talus::app {
 class SceneRun {
  public:
   /// With an empty `folder` nothing is written. `scene` is the scene's file, after which output files are named.
-  /// `recorded`: see Recorder; record() needs all columns, and all results of a fence. `file` must outlive this object.
+  /// `recorded`: see Recorder; record() and parts() need all columns, and record() all results of a fence. `file` must
+  /// outlive this object.
   /// Errors: InputError with the scene's file; IoError.
   SceneRun(const SceneFile& file, const std::filesystem::path& folder, const std::filesystem::path& scene,
            const OutputOptions& options, RecordedColumns recorded = {},
@@ -50,7 +51,7 @@ class SceneRun {
   const RunState& run_state() const { return run_state_; }
   const Dynamics& dynamics() const { return dynamics_; }
   /// Counts and computing times of the steps of this process.
-  [[nodiscard]] StepParts::Found parts() const { return parts_.found(); }
+  [[nodiscard]] StepParts::Found parts() const { return parts_->found(); }
   const Recorder& recorder() const { return recorder_; }
   /// Quality of the results of a run with this outcome.
   [[nodiscard]] RunQuality quality(const Outcome& outcome) const;
@@ -82,7 +83,7 @@ class SceneRun {
   std::optional<scenes::FenceMonitor> fence_;  ///< only for a fence
   bool sheet_{};
   bool ends_early_{};
-  StepParts parts_;
+  std::optional<StepParts> parts_;  ///< only with all columns: one of many runs has no profile
 };
 
 }  // namespace talus::app
