@@ -69,7 +69,7 @@ BOOST_AUTO_TEST_CASE(linear_limits_have_their_closed_forms) {
   BOOST_TEST(*linear_limit("euler", 0.0) == 0.0);
   BOOST_TEST(*linear_limit("taylor", 0.0) == 0.0);
   BOOST_TEST(!linear_limit("odeint_dopri5", 0.0).has_value());
-  // A limit does not depend on those that were asked for before.
+  // A limit does not depend on those that were found before.
   const double undamped = *linear_limit("rk4", 0.0), damped = *linear_limit("rk4", 0.5);
   BOOST_TEST(damped != undamped);
   BOOST_TEST(*linear_limit("blanes_moan4", 0.5) != damped);
