@@ -49,6 +49,35 @@ void check_tilted_rocks(const Program& program, Differences& differ) {
   differ.compare("tilted rocks", runs.rows(), std::size_t{16});
 }
 
+/// A limit of evaluations that some runs reach: those that need more without it. The exit status says so.
+void check_failed_runs(const Program& program, Differences& differ) {
+  const std::string map =
+      "base = \"fence.toml\"\nmass = [\"100 kg\", \"800 kg\"]\nspeed = [\"2 m/s\", \"4 m/s\"]\n[map]\n"
+      "cells = 1\nfirst_cells = 1\nruns = 4\naudit = 0\n";
+  program.write("unlimited.toml", map);
+  differ.compare("no run failed", program.end({"capacity", "unlimited.toml"}, {{"--no-plots", {}}}).exit_code, 0);
+  program.run({"sweep", "collect", "unlimited"});
+  const records::Csv runs = program.csv("unlimited/results.csv");
+  std::vector<double> evaluations;
+  for (std::size_t row = 0; row < runs.rows(); ++row)
+    evaluations.push_back(runs.number(row, "evaluations"));
+  std::ranges::sort(evaluations);
+  if (evaluations.size() < 2) return differ.holds("runs with evaluations", false);
+  // The widest gap, since a limit is noticed up to a few steps late.
+  std::size_t below = 0;
+  for (std::size_t i = 1; i + 1 < evaluations.size(); ++i)
+    if (evaluations[i + 1] - evaluations[i] > evaluations[below + 1] - evaluations[below]) below = i;
+  program.write("some.toml", map + fmt::format("[limits]\nevaluations = {}\n",
+                                               std::lround(0.5 * (evaluations[below] + evaluations[below + 1]))));
+  const ProgramEnd some = program.end({"capacity", "some.toml"}, {{"--no-plots", {}}});
+  differ.compare("exit status if some runs failed", some.exit_code, 6);
+  const records::Csv nodes = program.csv("some/capacity.csv");
+  double failed = 0.0;
+  for (std::size_t row = 0; row < nodes.rows(); ++row)
+    failed += nodes.number(row, "failed");
+  differ.compare("failed runs of a map", failed, static_cast<double>(evaluations.size() - below - 1));
+}
+
 void check_changes(const Program& program, Differences& differ) {
   program.write("fence.toml", fence("spin = \"2 rad/s\"\nangle = \"0.5 rad\"\n"));
   program.write("changes.toml",
@@ -81,6 +110,7 @@ void check_changes(const Program& program, Differences& differ) {
   differ.contains("reason of a failure", limited.output, "  failed, for example: limit of 10 evaluations\n");
   const ProgramEnd other = program.end({"capacity", "limited.toml"}, {{"--no-plots", {}}, {"--out", {"changes"}}});
   differ.ended("results of other limits are refused", other, 2, "other limits");
+  check_failed_runs(program, differ);
   check_tilted_rocks(program, differ);
 }
 
