@@ -11,8 +11,8 @@ double leapfrog_limit(double damping_ratio) {
   return 2.0 * (std::sqrt(1.0 + xi * xi) - xi);
 }
 
-/// Brackets the limit on a grid, then bisects. The last limit is kept: a monitor asks at each of its samples, and most
-/// scenes have one damping ratio, 0.
+/// Brackets the limit on a grid, then bisects. The last result of the thread is cached: the run monitor evaluates the
+/// limit at each sample, and most scenes have one damping ratio, 0.
 double first_growth(double (*growth)(double h, double damping_ratio), double damping_ratio) {
   struct Found {
     double (*growth)(double, double) = nullptr;

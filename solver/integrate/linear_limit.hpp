@@ -6,7 +6,8 @@ namespace talus {
 [[nodiscard]] double leapfrog_limit(double damping_ratio);
 
 /// Shortest step, in 1/omega, at which a method becomes unstable. `growth(h, xi)`: largest factor by which a step h
-/// [1/omega] amplifies the oscillation q'' = -q - 2 xi q'.
+/// [1/omega] amplifies the oscillation q'' = -q - 2 xi q'; the same for the same arguments, since the last result is
+/// reused.
 [[nodiscard]] double first_growth(double (*growth)(double h, double damping_ratio), double damping_ratio);
 
 /// Growth factor of the degree-4 Taylor polynomial of the exact motion: largest |R(z)|, z = h (-xi +- sqrt(xi^2 - 1)).

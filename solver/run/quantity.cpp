@@ -47,8 +47,8 @@ Quantity quantity_named(const Model& model, std::string_view name) {
   const std::string_view wanted = name.substr(0, dot);
   const std::vector<Column> columns = history_columns(model, true);
   const std::vector<std::string_view> kind = kinds(model, columns);
-  static const std::size_t of_ledger = history_columns({}, true).size() - history_columns({}, false).size();
-  const std::size_t without_ledger = columns.size() - of_ledger;
+  static const std::size_t ledger_columns = history_columns({}, true).size() - history_columns({}, false).size();
+  const std::size_t without_ledger = columns.size() - ledger_columns;
   std::vector<std::string> known;
   for (std::size_t i = 1; i < columns.size(); ++i) {
     const std::string& column = columns[i].name;

@@ -7,7 +7,7 @@ namespace talus::records {
 void demand_sound(const Node& node, const Record& record) {
   // A case that did not run because it is malformed may lack any of these.
   if (finished(record.status)) {
-    static_cast<void>(node.at("id").file_name());
+    static_cast<void>(node.at("id").file_name(Node::longest_part));
     static_cast<void>(node.at("title").nonempty_text());
     static_cast<void>(node.at("page").nonempty_text());
   }

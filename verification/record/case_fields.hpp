@@ -80,7 +80,9 @@ inline void demand_sound(const Node& node, const Table& table) {
 
 /// For a data file the record contains only the name.
 inline Json json_of(const DataFile& file) { return file.name; }
-inline void read_into(const Node& node, DataFile& file, Completeness /*completeness*/) { file.name = node.file_name(); }
+inline void read_into(const Node& node, DataFile& file, Completeness /*completeness*/) {
+  file.name = node.file_name(Node::longest_part);
+}
 
 void fields(auto& f, Like<Record> auto& record) {
   f.derived("schema", schema);

@@ -59,7 +59,7 @@ void fields(auto& f, Like<Scale> auto& scale) {
 }
 
 void fields(auto& f, Like<Figure> auto& figure) {
-  f.file_name("name", figure.name);
+  f.file_name("name", figure.name, Node::longest_part);
   f.value("title", figure.title);
   f.defaulted("caption", figure.caption);
   f.value("x", figure.x);

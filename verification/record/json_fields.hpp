@@ -76,7 +76,7 @@ class Writer {
     }
   }
   void nonempty_text(const char* key, const std::string& value, const char* = nullptr) { json_[key] = value; }
-  void file_name(const char* key, const std::string& value) { json_[key] = value; }
+  void file_name(const char* key, const std::string& value, std::size_t = 0) { json_[key] = value; }
   void number(const char* key, double value) { json_[key] = json_number(value); }
   void number_or_null(bool known, const char* key, double value) {
     json_[key] = known ? json_number(value) : Json(nullptr);
@@ -162,7 +162,9 @@ class Reader {
     const bool is_former = former != nullptr && !node_.has(key) && node_.has(former);
     value = node_.at(is_former ? former : key).nonempty_text();
   }
-  void file_name(const char* key, std::string& value) const { value = node_.at(key).file_name(); }
+  void file_name(const char* key, std::string& value, std::size_t longest = 200) const {
+    value = node_.at(key).file_name(longest);
+  }
   /// A number that may be non-finite.
   void number(const char* key, double& value) const { value = node_.at(key).number(); }
   void number_or_null(bool known, const char* key, double& value) const {

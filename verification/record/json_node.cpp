@@ -12,12 +12,6 @@
 #include "verification/record/whole_file.hpp"
 
 namespace talus::records {
-namespace {
-
-/// Linux takes 255 bytes, of which the ending of the file and the mark of its temporary file need some.
-constexpr std::size_t longest_file_name = 200;
-
-}  // namespace
 
 Json read_json(const std::filesystem::path& file) {
   const std::string text = read_whole(file);
@@ -81,12 +75,13 @@ std::string Node::one_of(const std::vector<std::string>& allowed) const {
   return result;
 }
 
-std::string Node::file_name() const {
+std::string Node::file_name(std::size_t longest) const {
   std::string name = nonempty_text();
-  const bool control =
-      std::any_of(name.begin(), name.end(), [](char letter) { return static_cast<unsigned char>(letter) < ' '; });
+  const bool control = std::any_of(name.begin(), name.end(), [](char letter) {
+    return static_cast<unsigned char>(letter) < ' ' || letter == '\x7f';
+  });
   if (name.find('/') != std::string::npos || name.front() == '.' || control) refuse("a plain file name");
-  if (name.size() > longest_file_name) refuse(fmt::format("a file name of at most {} bytes", longest_file_name));
+  if (name.size() > longest) refuse(fmt::format("a file name of at most {} bytes", longest));
   return name;
 }
 

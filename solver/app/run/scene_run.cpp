@@ -51,6 +51,11 @@ State SceneRun::started(State state) {
   return state;
 }
 
+StepParts::Found SceneRun::parts() const {
+  TALUS_DEMAND(parts_.has_value());
+  return parts_->found();
+}
+
 std::vector<std::string> SceneRun::start_warnings() const {
   std::vector<std::string> all = overlap_warnings_;
   all.insert(all.end(), watch_.start_warnings().begin(), watch_.start_warnings().end());

@@ -50,8 +50,8 @@ class SceneRun {
 
   const RunState& run_state() const { return run_state_; }
   const Dynamics& dynamics() const { return dynamics_; }
-  /// Counts and computing times of the steps of this process.
-  [[nodiscard]] StepParts::Found parts() const { return parts_->found(); }
+  /// Counts and computing times of the steps of this process. All columns must be recorded.
+  [[nodiscard]] StepParts::Found parts() const;
   const Recorder& recorder() const { return recorder_; }
   /// Quality of the results of a run with this outcome.
   [[nodiscard]] RunQuality quality(const Outcome& outcome) const;

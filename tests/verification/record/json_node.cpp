@@ -45,6 +45,7 @@ BOOST_AUTO_TEST_CASE(values_are_read) {
   BOOST_TEST(node.at("t").nonempty_text() == "text");
   BOOST_TEST(node.at("t").one_of({"word", "text"}) == "text");
   BOOST_TEST(node.at("t").file_name() == "text");
+  BOOST_TEST(node.at("t").file_name(4) == "text");
   const Json longest{{"x", std::string(200, 'a')}};
   BOOST_TEST((Node{longest, "a.json: all"}.at("x").file_name()) == std::string(200, 'a'));
   BOOST_TEST(node.at("n").finite() == 0.5);
@@ -81,6 +82,9 @@ BOOST_AUTO_TEST_CASE(errors_name_file_path_what_was_found_and_what_is_allowed) {
   BOOST_TEST(refused("\"../a\"", name) == "a.json: all.x: must be a plain file name, found \"../a\"");
   BOOST_TEST(refused("\".a\"", name) == "a.json: all.x: must be a plain file name, found \".a\"");
   BOOST_TEST(refused("\"a\\u0000b\"", name) == "a.json: all.x: must be a plain file name, found \"a\\u0000b\"");
+  BOOST_TEST(refused("\"a\x7f\"", name) == "a.json: all.x: must be a plain file name, found \"a\x7f\"");
+  BOOST_TEST(refused("\"text\"", [](const Node& node) { (void)node.file_name(3); }) ==
+             "a.json: all.x: must be a file name of at most 3 bytes, found \"text\"");
   BOOST_TEST(refused('"' + std::string(201, 'a') + '"', name) ==
              "a.json: all.x: must be a file name of at most 200 bytes, found \"" + std::string(56, 'a') + "...");
   BOOST_TEST(refused("\"1\"", number) == "a.json: all.x: must be a number, found \"1\"");

@@ -49,7 +49,7 @@ void check_tilted_rocks(const Program& program, Differences& differ) {
   differ.compare("tilted rocks", runs.rows(), std::size_t{16});
 }
 
-/// A limit of evaluations that some runs reach: those that need more without it. The exit status says so.
+/// Limits the evaluations so that some runs fail, those that need more without the limit: the exit status must be 6.
 void check_failed_runs(const Program& program, Differences& differ) {
   const std::string map =
       "base = \"fence.toml\"\nmass = [\"100 kg\", \"800 kg\"]\nspeed = [\"2 m/s\", \"4 m/s\"]\n[map]\n"
@@ -63,7 +63,7 @@ void check_failed_runs(const Program& program, Differences& differ) {
     evaluations.push_back(runs.number(row, "evaluations"));
   std::ranges::sort(evaluations);
   if (evaluations.size() < 2) return differ.holds("runs with evaluations", false);
-  // The widest gap, since a limit is noticed up to a few steps late.
+  // The widest gap, since evaluations are compared with the limit after each step but the last one.
   std::size_t below = 0;
   for (std::size_t i = 1; i + 1 < evaluations.size(); ++i)
     if (evaluations[i + 1] - evaluations[i] > evaluations[below + 1] - evaluations[below]) below = i;

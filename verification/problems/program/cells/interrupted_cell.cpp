@@ -20,7 +20,8 @@ void check_interrupted(const TemporaryFolder& folder, Findings& findings, const 
                               "--out", out})
         .exit_code;
   };
-  // The last file cannot be written: the run ends with status 4 and keeps its checkpoint.
+  // The last file cannot be written: the run ends with status 4 and keeps its checkpoint, that of the start, since it
+  // takes less than a second.
   const std::filesystem::path in_the_way = folder.path() / "halves/summary.json";
   std::filesystem::create_directories(in_the_way / "folder");
   double different = cell("whole", setup.has("resumed_cell_of_another_seed") ? "8" : "7") == 0 ? 0.0 : 1.0;
@@ -29,7 +30,7 @@ void check_interrupted(const TemporaryFolder& folder, Findings& findings, const 
   different += run_talus(folder, {"cell", "--resume", "halves"}).exit_code == 0 ? 0.0 : 1.0;
   different += different_files(folder, "whole", "halves");
   findings.expect("cell with choices of the command line, resumed: files that differ from those in one run", different,
-                  0.0, Tolerance::exact("a checkpoint contains the choices and the whole state"));
+                  0.0, Tolerance::exact("a checkpoint contains the choices"));
 }
 
 }  // namespace talus::verification::problems::cell_files

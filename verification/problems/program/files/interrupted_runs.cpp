@@ -1,7 +1,5 @@
 #include "verification/problems/program/files/interrupted_runs.hpp"
 
-#include <fmt/format.h>
-
 #include <string>
 #include <utility>
 #include <vector>

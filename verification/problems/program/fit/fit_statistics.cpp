@@ -31,6 +31,19 @@ double overlap(double w, double xi, double time) {
 
 }  // namespace
 
+std::vector<double> ratios_of_samples(const std::array<double, 4>& products, const std::array<double, 4>& squares) {
+  std::vector<double> possible;
+  for (int code = 0; code < 256; ++code) {
+    double product = 0.0, square = 0.0;
+    for (int draw = 0, rest = code; draw < 4; ++draw, rest /= 4) {
+      const auto row = static_cast<std::size_t>(rest % 4);
+      product += products[row], square += squares[row];
+    }
+    possible.push_back(product / square);
+  }
+  return possible;
+}
+
 void check_coverage(Findings& findings, const Setup& setup) {
   const std::size_t seeds = setup.coarse ? 200 : 1000;
   constexpr std::size_t rows = 20;
@@ -94,15 +107,10 @@ namespace {
 double sample_distance() {
   constexpr std::array x{1.0, 2.0, 4.0, 3.0}, y{0.0, 2.0, 40.0, 300.0}, z{1.0, 5.0, 70.0, 610.0};
   constexpr double lower = -50.0, upper = 150.0;
-  std::vector<double> possible;
-  for (int code = 0; code < 256; ++code) {
-    double products = 0.0, squares = 0.0;
-    for (int draw = 0, rest = code; draw < 4; ++draw, rest /= 4) {
-      const auto row = static_cast<std::size_t>(rest % 4);
-      products += x[row] * (y[row] + 2.0 * z[row]), squares += 5.0 * x[row] * x[row];
-    }
-    possible.push_back(products / squares);
-  }
+  std::array<double, 4> products{}, squares{};
+  for (std::size_t row = 0; row < 4; ++row)
+    products[row] = x[row] * (y[row] + 2.0 * z[row]), squares[row] = 5.0 * x[row] * x[row];
+  const std::vector<double> possible = ratios_of_samples(products, squares);
   const FitModel model = [&](const std::vector<double>& p, const std::vector<std::size_t>& of) {
     std::vector<double> found;
     for (const std::size_t row : of)

@@ -113,7 +113,7 @@ void check_single_columns(const Program& program, Differences& differ) {
         chosen = &extreme;
     const bool any = chosen != nullptr && size_of(*chosen) > 0.0 &&
                      (is_between(chosen->at("maximum_time")) || is_between(chosen->at("minimum_time")));
-    differ.holds("column of the group " + group.end, any);
+    differ.holds("column of the group " + group.end + (group.first ? ", first" : ""), any);
     if (!any) continue;
     const std::string column = chosen->at("name").get<std::string>(), unit = chosen->at("unit").get<std::string>();
     const records::Csv csv =
