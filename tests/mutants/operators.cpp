@@ -171,7 +171,7 @@ class Search {
       case CXCursor_UnexposedDecl:
         return text(node).find("concept ") != std::string::npos;
       default:
-        return false;
+        return source_.text(node.extent()).starts_with("__builtin_shufflevector(");
     }
   }
 
@@ -278,8 +278,12 @@ class Search {
       express("sign", node, with("+"));
       express("dropped_term", node, a);
     } else if (token == "*" && sums) {
-      express("unit_factor", node, a);
-      express("unit_factor", node, b);
+      // A number in place of a vector does not compile.
+      const auto fits = [&](const Node& factor) {
+        return factor.type_kind() != CXType_Double || node.type_kind() == CXType_Double || is_dependent(node);
+      };
+      if (fits(left)) express("unit_factor", node, a);
+      if (fits(right)) express("unit_factor", node, b);
     } else if (token == "/" && sums) {
       express("unit_factor", node, a);
     } else if (token == "<" || token == "<=" || token == ">" || token == ">=") {
