@@ -102,10 +102,17 @@ Recorder::Recorder(const Dynamics& dynamics, const State& start, bool ledger, Re
   first_of_accounts_ = columns.size();
   if (ledger) add_account_columns(columns);
   row_.resize(columns.size());
+  std::size_t column = 1;
   for (std::size_t i = 0; i < model.bodies.size(); ++i) {
     if (model.bodies[i].mobility == Mobility::fixed) continue;
-    moving_.push_back({i, turns(model.bodies[i]), dynamics.layout().first[i + 1] - 1});
+    const bool turning = turns(model.bodies[i]);
+    const std::size_t first = column;
+    column += turning ? 6 : 4;
+    const bool has_recorded =
+        !recorded_ || std::ranges::any_of(*recorded_, [&](std::size_t each) { return each >= first && each < column; });
+    moving_.push_back({i, turning, dynamics.layout().first[i + 1] - 1, first, has_recorded});
   }
+  TALUS_DEMAND(column == first_of_contacts_);
   if (ledger) ledger_.emplace(dynamics, start);
   if (!recorded_) return;
   TALUS_DEMAND(std::ranges::is_sorted(*recorded_) && (recorded_->empty() || recorded_->back() < row_.size()));
@@ -118,7 +125,7 @@ Recorder::ColumnGroups Recorder::groups_of(const std::vector<std::size_t>& colum
     return std::ranges::any_of(columns, [=](std::size_t column) { return column >= first && column < end; });
   };
   return {any(1, first_of_contacts_), any(first_of_contacts_, first_of_cables_),
-          any(first_of_cables_, first_of_accounts_)};
+          any(first_of_cables_, first_of_accounts_), false};
 }
 
 void Recorder::operator()(const Snapshot& snapshot, const StepInfo& info) {
@@ -152,14 +159,14 @@ void Recorder::fill_row(const Snapshot& snapshot, const ColumnGroups& groups) {
   row_.front() = snapshot.state().t;
   if (groups.bodies) {
     const Poses& poses = snapshot.geometry().poses;
-    double* next = at(1);
     for (const Moving& body : moving_) {
+      if (!groups.all_bodies && !body.recorded) continue;
       const std::size_t i = body.body;
+      double* next = at(body.column);
       *next++ = poses.x[i], *next++ = poses.y[i];
       *next++ = poses.vx[i], *next++ = poses.vy[i];
-      if (body.turns) *next++ = snapshot.state().q[body.angle], *next++ = poses.w[i];
+      if (body.turns) *next++ = snapshot.state().q[body.angle], *next = poses.w[i];
     }
-    TALUS_ASSERT(next == at(first_of_contacts_));
   }
   if (groups.contacts) {
     const std::vector<double>&depths = snapshot.depths(), &forces = snapshot.forces().contacts;

@@ -76,6 +76,7 @@ class Recorder {
   /// Groups of columns that are evaluated together. Those of the ledger are known at every step.
   struct ColumnGroups {
     bool bodies{true}, contacts{true}, cables{true};
+    bool all_bodies{true};  ///< also those without a recorded column
   };
 
   ColumnGroups groups_of(const std::vector<std::size_t>& columns) const;
@@ -85,7 +86,9 @@ class Recorder {
   struct Moving {
     std::size_t body{};
     bool turns{};
-    std::size_t angle{};  ///< index of its angle among the coordinates
+    std::size_t angle{};   ///< index of its angle among the coordinates
+    std::size_t column{};  ///< its first
+    bool recorded{};       ///< has a recorded column
   };
 
   const Dynamics* dynamics_;
