@@ -162,7 +162,7 @@ class Reader {
     const bool is_former = former != nullptr && !node_.has(key) && node_.has(former);
     value = node_.at(is_former ? former : key).nonempty_text();
   }
-  void file_name(const char* key, std::string& value, std::size_t longest = 200) const {
+  void file_name(const char* key, std::string& value, std::size_t longest = Node::longest_name) const {
     value = node_.at(key).file_name(longest);
   }
   /// A number that may be non-finite.

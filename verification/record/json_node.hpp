@@ -43,11 +43,12 @@ class Node {
   [[nodiscard]] std::string nonempty_text() const;
   /// A text from the list.
   [[nodiscard]] std::string one_of(const std::vector<std::string>& allowed) const;
-  /// A file name of at most `longest` bytes that cannot refer to another folder. Linux allows 255 bytes; the rest is
-  /// for the extension and the temporary name.
-  [[nodiscard]] std::string file_name(std::size_t longest = 200) const;
+  /// Maximum size of a file name [bytes]. Linux allows 255; the rest is for the extension and the temporary name.
+  static constexpr std::size_t longest_name = 200;
   /// Maximum size of a name that becomes a part of file names: two with an extension are a file name [bytes].
   static constexpr std::size_t longest_part = 90;
+  /// A file name of at most `longest` bytes that cannot refer to another folder.
+  [[nodiscard]] std::string file_name(std::size_t longest = longest_name) const;
   /// Any number; non-finite ones by their names in json_number().
   [[nodiscard]] double number() const;
   [[nodiscard]] double finite() const;
