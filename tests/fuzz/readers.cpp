@@ -31,7 +31,6 @@
 #include "tests/fuzz/bounded_runs.hpp"
 #include "tests/solver/io/complete_files.hpp"
 #include "verification/catalogue/catalogue.hpp"
-#include "verification/driver/recorded_results.hpp"
 #include "verification/driver/renames.hpp"
 #include "verification/record/error.hpp"
 #include "verification/record/figure_points.hpp"
@@ -298,10 +297,6 @@ void add_verification_readers(std::vector<Reader>& readers) {
       {.name = "results", .file = "results.json", .corpus = results, .read = only([](const fs::path& file) {
                                                                        return records::read_results(file);
                                                                      })});
-  readers.push_back(
-      {.name = "baseline", .file = "results.json", .corpus = results, .read = only([](const fs::path& file) {
-                                                                        return verification::read_results(file);
-                                                                      })});
   Texts record_texts;
   for (const records::Record& record : records::read_results(data / "pass" / "results.json").records)
     record_texts.push_back(records::text_of(record));

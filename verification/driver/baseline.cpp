@@ -27,6 +27,11 @@ bool same_bits(double a, double b) {
   return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b) || (std::isnan(a) && std::isnan(b));
 }
 
+ResultsSource source_of(const ResultsFile& given) {
+  const Results& results = given.results;
+  return {given.file, results.provenance, results.tier, holds(results), results.only};
+}
+
 /// The compared cases.
 struct Scope {
   const std::vector<std::string>& run;       ///< ResultsSource::only of the new results.
@@ -65,29 +70,31 @@ class Targets {
 };
 
 template <class T>
-using Items = std::vector<std::pair<ItemName, const T*>>;
+using Items = std::vector<std::pair<ItemName, T>>;
 
-Items<CaseOutcome> cases_of(const RecordedResults& results) {
+Items<CaseOutcome> cases_of(const Results& results) {
   Items<CaseOutcome> items;
-  for (const RecordedCase& c : results.cases)
-    items.emplace_back(ItemName{c.id, ""}, &c.outcome);
-  return items;
-}
-
-Items<RecordedCheck> checks_of(const RecordedResults& results) {
-  Items<RecordedCheck> items;
-  for (const RecordedCase& c : results.cases) {
-    for (const RecordedCheck& check : c.checks)
-      items.emplace_back(ItemName{c.id, check.name}, &check);
+  for (const Record& record : results.records) {
+    items.emplace_back(ItemName{record.id, ""},
+                       CaseOutcome{record.status, record.message, record.seconds, record.evaluations});
   }
   return items;
 }
 
-Items<RecordedControl> controls_of(const RecordedResults& results) {
-  Items<RecordedControl> items;
-  for (const RecordedCase& c : results.cases) {
-    for (const RecordedControl& control : c.controls)
-      items.emplace_back(ItemName{c.id, control_item(control.name)}, &control);
+Items<Check> checks_of(const Results& results) {
+  Items<Check> items;
+  for (const Record& record : results.records) {
+    for (const Check& check : record.checks)
+      items.emplace_back(ItemName{record.id, check.name}, check);
+  }
+  return items;
+}
+
+Items<Control> controls_of(const Results& results) {
+  Items<Control> items;
+  for (const Record& record : results.records) {
+    for (const Control& control : record.controls)
+      items.emplace_back(ItemName{record.id, control_item(control.name)}, control);
   }
   return items;
 }
@@ -102,7 +109,7 @@ std::vector<Changed> paired(const Items<T>& before, const Items<T>& after, const
     index.emplace(after[i].first, i);
     now[i].name = after[i].first;
     now[i].presence = Presence::added;
-    now[i].after = *after[i].second;
+    now[i].after = after[i].second;
   }
   for (const int rank : {2, 1, 0}) {
     for (const auto& [name, value] : before) {
@@ -111,7 +118,7 @@ std::vector<Changed> paired(const Items<T>& before, const Items<T>& after, const
       const auto found = target.name ? index.find(*target.name) : index.end();
       const bool is_free = found != index.end() && now[found->second].presence == Presence::added;
       Changed& change = is_free ? now[found->second] : lost.emplace_back();
-      change.before = *value;
+      change.before = value;
       change.presence = is_free ? Presence::both : target.name ? Presence::gone : Presence::removed;
       if (!is_free) change.name = name;
       if (is_free && name != *target.name) change.renamed_from = name;
@@ -125,11 +132,11 @@ std::vector<Changed> paired(const Items<T>& before, const Items<T>& after, const
   return now;
 }
 
-bool has_item(const RecordedResults& results, const ItemName& name) {
-  const RecordedCase* const found = find_case(results, name.id);
+bool has_item(const Results& results, const ItemName& name) {
+  const Record* const found = find_case(results, name.id);
   if (found == nullptr) return false;
-  const auto is_check = [&](const RecordedCheck& check) { return check.name == name.item; };
-  const auto is_control = [&](const RecordedControl& control) { return control_item(control.name) == name.item; };
+  const auto is_check = [&](const Check& check) { return check.name == name.item; };
+  const auto is_control = [&](const Control& control) { return control_item(control.name) == name.item; };
   return name.item.empty() || std::any_of(found->checks.begin(), found->checks.end(), is_check) ||
          std::any_of(found->controls.begin(), found->controls.end(), is_control);
 }
@@ -145,21 +152,20 @@ std::string still_there(const Renaming& renaming, const std::string& where) {
 
 /// Renames whose new name does not exist, or whose old name still does. For a case that did not finish, the new name is
 /// not required to exist.
-std::vector<std::string> renaming_errors_of(const std::vector<Renaming>& renames, const RecordedResults& after,
+std::vector<std::string> renaming_errors_of(const std::vector<Renaming>& renames, const ResultsFile& after,
                                             const Scope& scope) {
   std::vector<std::string> errors;
-  const std::string file = after.source.file.string();
+  const std::string file = after.file.string();
   for (const Renaming& renaming : renames) {
     const std::string& id = renaming.after ? renaming.after->id : renaming.before.id;
     if (!scope.has(id)) continue;
-    const RecordedCase* const target = find_case(after, id);
-    const bool ended =
-        target == nullptr || target->outcome.status == Status::pass || target->outcome.status == Status::fail;
-    if (renaming.after && ended && !has_item(after, *renaming.after)) {
+    const Record* const target = find_case(after.results, id);
+    const bool ended = target == nullptr || finished(target->status);
+    if (renaming.after && ended && !has_item(after.results, *renaming.after)) {
       errors.push_back(fmt::format("{}: found '{}' on the right; it must be a name of {}", renaming.location,
                                    text_of(*renaming.after), file));
     }
-    if (has_item(after, renaming.before) && !is_given(renames, renaming.before))
+    if (has_item(after.results, renaming.before) && !is_given(renames, renaming.before))
       errors.push_back(still_there(renaming, file));
   }
   return errors;
@@ -188,7 +194,7 @@ double growth_of(double before, double after) {
   return from == to ? 0.0 : to - from;
 }
 
-Movement movement_of(const RecordedCheck& before, const RecordedCheck& after, double moved) {
+Movement movement_of(const Check& before, const Check& after, double moved) {
   if (before.unit != after.unit) return Movement::changed;
   if (same_bits(before.measured, after.measured)) return Movement::identical;
   const double limit = std::min(round_off_limit(before.kind), round_off_limit(after.kind));
@@ -202,8 +208,8 @@ double moved_by(double difference, double scale) {
 }
 
 void weigh(CheckChange& change, const Allowance& allowance, double tolerance) {
-  const RecordedCheck& before = *change.before;
-  const RecordedCheck& after = *change.after;
+  const Check& before = *change.before;
+  const Check& after = *change.after;
   const bool is_same = same_bits(before.measured, after.measured);
   change.difference = is_same ? 0.0 : after.measured - before.measured;
   change.moved = moved_by(change.difference, change_scale(before));
@@ -225,7 +231,7 @@ void weigh(CheckChange& change, const Allowance& allowance, double tolerance) {
 }
 
 void weigh(ControlChange& change) {
-  if (change.before->pass && !change.after->pass) change.worse.push_back(Reason::verdict);
+  if (change.before->pass() && !change.after->pass()) change.worse.push_back(Reason::verdict);
 }
 
 void weigh(CaseChange& change, const Allowance& allowance) {
@@ -265,27 +271,33 @@ void add_verdict(Totals::Items& items, bool before, bool after) {
 
 }  // namespace
 
+const Record* find_case(const Results& results, const std::string& id) {
+  const auto found = std::ranges::find(results.records, id, &Record::id);
+  return found == results.records.end() ? nullptr : &*found;
+}
+
 double round_off_limit(Kind kind) { return kind == Kind::round_off ? 1.0 : 1e-9; }
 
-double change_scale(const RecordedCheck& before) {
+double change_scale(const Check& before) {
   if (before.bound == 0.0) return std::abs(before.reference);
   return before.relative ? before.bound * std::abs(before.reference) : before.bound;
 }
 
-Comparison compare(const RecordedResults& before, const RecordedResults& after, const Allowance& allowance,
+Comparison compare(const ResultsFile& old, const ResultsFile& now, const Allowance& allowance,
                    const std::vector<Renaming>& renames) {
+  const Results &before = old.results, &after = now.results;
   const Targets targets(renames);
-  const Scope scope{after.source.only, allowance.only};
+  const Scope scope{after.only, allowance.only};
   Comparison comparison;
-  comparison.before = before.source;
-  comparison.after = after.source;
+  comparison.before = source_of(old);
+  comparison.after = source_of(now);
   comparison.allowance = allowance;
   comparison.cases = paired<CaseChange>(cases_of(before), cases_of(after), targets, scope);
   comparison.checks = paired<CheckChange>(checks_of(before), checks_of(after), targets, scope);
   comparison.controls = paired<ControlChange>(controls_of(before), controls_of(after), targets, scope);
-  for (const RecordedCase& c : before.cases) {
-    const Target target = targets.of({c.id, ""});
-    if (!scope.has(target.name ? target.name->id : c.id)) comparison.unselected.push_back(c.id);
+  for (const Record& record : before.records) {
+    const Target target = targets.of({record.id, ""});
+    if (!scope.has(target.name ? target.name->id : record.id)) comparison.unselected.push_back(record.id);
   }
   for (CheckChange& change : comparison.checks) {
     if (change.presence == Presence::both) {
@@ -303,7 +315,7 @@ Comparison compare(const RecordedResults& before, const RecordedResults& after, 
     if (const auto found = checks.find(id); found != checks.end()) change.checks_gone = found->second;
     if (const auto found = controls.find(id); found != controls.end()) change.controls_gone = found->second;
   }
-  comparison.renaming_errors = renaming_errors_of(renames, after, scope);
+  comparison.renaming_errors = renaming_errors_of(renames, now, scope);
   return comparison;
 }
 
@@ -324,7 +336,7 @@ Totals totals_of(const Comparison& comparison) {
   }
   for (const CheckChange& change : comparison.checks) {
     if (change.presence != Presence::both) continue;
-    const RecordedCheck &before = *change.before, &after = *change.after;
+    const Check &before = *change.before, &after = *change.after;
     add_verdict(totals.checks, before.pass, after.pass);
     if (change.movement == Movement::identical) ++totals.identical;
     if (change.movement == Movement::round_off) ++totals.round_off;
@@ -336,24 +348,24 @@ Totals totals_of(const Comparison& comparison) {
     if (!same_bits(before.reference, after.reference)) ++totals.references_changed;
   }
   for (const ControlChange& change : comparison.controls) {
-    if (change.presence == Presence::both) add_verdict(totals.controls, change.before->pass, change.after->pass);
+    if (change.presence == Presence::both) add_verdict(totals.controls, change.before->pass(), change.after->pass());
   }
   return totals;
 }
 
-void validate(const RecordedResults& before, Tier tier, const Allowance& allowance,
-              const std::vector<Renaming>& renames, const std::vector<std::string>& families,
-              const std::vector<std::string>& registered) {
-  const std::string file = before.source.file.string();
-  if (before.source.tier != tier) {
+void validate(const ResultsFile& before, Tier tier, const Allowance& allowance, const std::vector<Renaming>& renames,
+              const std::vector<std::string>& families, const std::vector<std::string>& registered) {
+  const std::string file = before.file.string();
+  const Results& results = before.results;
+  if (results.tier != tier) {
     throw InputError(fmt::format("{}: tier: found \"{}\"; it must be \"{}\", the tier that it is compared with", file,
-                                 name_of(before.source.tier), name_of(tier)));
+                                 name_of(results.tier), name_of(tier)));
   }
-  if (before.cases.empty()) throw InputError(file + ": cases: found none; there must be at least one");
+  if (results.records.empty()) throw InputError(file + ": cases: found none; there must be at least one");
   std::vector<std::string> known = families;
   known.insert(known.end(), registered.begin(), registered.end());
-  for (const RecordedCase& c : before.cases) {
-    for (const std::string& name : {c.family, c.id}) {
+  for (const Record& record : results.records) {
+    for (const std::string& name : {record.family, record.id}) {
       if (!name.empty() && !contains(known, name)) known.push_back(name);
     }
   }
@@ -364,7 +376,7 @@ void validate(const RecordedResults& before, Tier tier, const Allowance& allowan
       throw unknown_name("--tolerance: family or case", tolerance.name, known);
   }
   for (const Renaming& renaming : renames) {
-    if (!has_item(before, renaming.before)) {
+    if (!has_item(results, renaming.before)) {
       throw InputError(
           fmt::format("{}: found '{}' on the left; it must be a name of the baseline {} (delete the line if "
                       "the baseline has the new name already)",

@@ -3,16 +3,28 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "verification/driver/recorded_results.hpp"
+#include "verification/check/record.hpp"
+#include "verification/driver/provenance.hpp"
 #include "verification/driver/renames.hpp"
+#include "verification/driver/results.hpp"
 #include "verification/record/names.hpp"
 
 namespace talus::verification {
+
+/// A results.json and its content.
+struct ResultsFile {
+  std::filesystem::path file;
+  Results results;
+};
+
+/// The case with this id, or nullptr.
+[[nodiscard]] const Record* find_case(const Results& results, const std::string& id);
 
 /// Allowed change of measured values, in units of the check's error bound.
 struct ChangeTolerance {
@@ -66,7 +78,7 @@ using records::name_of;
 
 /// Scale of a change of the measured value [unit]: the bound, times |reference| if the check is relative. An exact
 /// check has no bound; its scale is |reference|.
-[[nodiscard]] double change_scale(const RecordedCheck& before);
+[[nodiscard]] double change_scale(const Check& before);
 
 /// An item and its change; T holds its values in results.json.
 template <class T>
@@ -78,10 +90,10 @@ struct Change {
   std::vector<Reason> worse{};  ///< Empty: not worse.
 };
 
-using ControlChange = Change<RecordedControl>;
+using ControlChange = Change<Control>;
 
 /// A check and its change. The numbers are 0 unless it is in both results.
-struct CheckChange : Change<RecordedCheck> {
+struct CheckChange : Change<Check> {
   Movement movement = Movement::identical;
   double difference = 0.0;  ///< Measured value: new - old [unit].
   double moved = 0.0;       ///< |difference| / change_scale: change/bound; infinite if a number is not finite.
@@ -89,10 +101,27 @@ struct CheckChange : Change<RecordedCheck> {
   double tolerance = 0.0;   ///< Largest `moved` allowed.
 };
 
+/// Status and cost of a case.
+struct CaseOutcome {
+  Status status = Status::missing;
+  std::string message;            ///< Why the case did not pass; empty if it did.
+  double seconds = 0.0;           ///< Wall-clock time [s].
+  std::uint64_t evaluations = 0;  ///< Counted force evaluations; 0: the case counts none.
+};
+
 /// A case and its change.
 struct CaseChange : Change<CaseOutcome> {
   std::size_t checks_gone = 0;    ///< Checks of this case that are in the baseline but not in the new results.
   std::size_t controls_gone = 0;  ///< The same for its controls.
+};
+
+/// Origin of a results.json.
+struct ResultsSource {
+  std::filesystem::path file;
+  Provenance provenance;
+  Tier tier = Tier::quick;
+  bool holds = false;               ///< Whether its verdict is "pass".
+  std::vector<std::string> only{};  ///< The cases given with --only; empty: the whole tier was run.
 };
 
 /// Two results and all their differences.
@@ -128,8 +157,8 @@ struct Totals {
 
 /// Compares `after` with the baseline `before`. A pure function: reads and writes no file. Cases are matched by id,
 /// checks and controls by case and name, or according to `renames`.
-[[nodiscard]] Comparison compare(const RecordedResults& before, const RecordedResults& after,
-                                 const Allowance& allowance, const std::vector<Renaming>& renames);
+[[nodiscard]] Comparison compare(const ResultsFile& before, const ResultsFile& after, const Allowance& allowance,
+                                 const std::vector<Renaming>& renames);
 
 [[nodiscard]] Totals totals_of(const Comparison& comparison);
 
@@ -137,9 +166,8 @@ struct Totals {
 /// case, a tolerance names neither a family (one of `families` or of the baseline) nor a case, a rename begins with a
 /// name that the baseline does not have, or a rename ends with a case that is not in `registered`, the ids of all
 /// present cases.
-void validate(const RecordedResults& before, Tier tier, const Allowance& allowance,
-              const std::vector<Renaming>& renames, const std::vector<std::string>& families,
-              const std::vector<std::string>& registered);
+void validate(const ResultsFile& before, Tier tier, const Allowance& allowance, const std::vector<Renaming>& renames,
+              const std::vector<std::string>& families, const std::vector<std::string>& registered);
 
 }  // namespace talus::verification
 

@@ -11,6 +11,7 @@
 #include "verification/driver/baseline_json.hpp"
 #include "verification/driver/baseline_markdown.hpp"
 #include "verification/driver/baseline_table.hpp"
+#include "verification/record/record_files.hpp"
 #include "verification/record/utf8.hpp"
 #include "verification/record/whole_file.hpp"
 
@@ -60,6 +61,16 @@ void demand_separate(const char* option, const std::string& file, const fs::path
 
 }  // namespace
 
+ResultsFile read_results_file(const fs::path& file) {
+  try {
+    return {file, records::read_results(file)};
+  } catch (const records::RecordError& fault) {
+    throw InputError(fault.what());
+  } catch (const records::FileError& fault) {
+    throw IoError(fault.what());
+  }
+}
+
 BaselineGate read_gate(const BaselineOptions& options, const std::vector<std::string>& only, const fs::path& out) {
   BaselineGate gate;
   for (const std::string& tolerance : options.tolerances)
@@ -71,7 +82,7 @@ BaselineGate read_gate(const BaselineOptions& options, const std::vector<std::st
   demand_separate("--baseline", options.baseline, out);
   demand_separate("--compare", options.compare, out);
   demand_separate("--renamed", options.renamed, out);
-  gate.before = read_results(options.baseline);
+  gate.before = read_results_file(options.baseline);
   if (!options.renamed.empty()) gate.renames = read_renames(options.renamed);
   return gate;
 }
@@ -81,7 +92,7 @@ void remove_comparison(const fs::path& out) {
   fs::remove(out / markdown_name);
 }
 
-GateVerdict finish(const BaselineGate& gate, const RecordedResults& after, const fs::path& out) {
+GateVerdict finish(const BaselineGate& gate, const ResultsFile& after, const fs::path& out) {
   const Comparison comparison = compare(gate.before, after, gate.allowance, gate.renames);
   records::write_whole(out / json_name, json_of(comparison));
   records::write_whole(out / markdown_name, markdown_of(comparison));

@@ -21,13 +21,16 @@ struct BaselineOptions {
 
 /// The baseline and the rules of the comparison, read before anything runs.
 struct BaselineGate {
-  RecordedResults before;
+  ResultsFile before;
   Allowance allowance;
   std::vector<Renaming> renames;
 };
 
 /// Result of a comparison.
 enum class GateVerdict { not_worse, worse, wrong_renames };
+
+/// Reads a results.json. IoError if the file cannot be read; InputError if it is invalid or contradicts itself.
+[[nodiscard]] ResultsFile read_results_file(const std::filesystem::path& file);
 
 /// Reads the baseline, the renames and the numbers of the options; writes nothing. IoError if a file cannot be read;
 /// InputError if a file is invalid, a number is not at least 0, or an input is one of the files that `finish` writes
@@ -40,7 +43,6 @@ void remove_comparison(const std::filesystem::path& out);
 
 /// Compares `after` with the baseline, writes baseline.json and baseline.md into `out` and prints the table. IoError if
 /// a file cannot be written.
-[[nodiscard]] GateVerdict finish(const BaselineGate& gate, const RecordedResults& after,
-                                 const std::filesystem::path& out);
+[[nodiscard]] GateVerdict finish(const BaselineGate& gate, const ResultsFile& after, const std::filesystem::path& out);
 
 }  // namespace talus::verification

@@ -1,22 +1,17 @@
 #include "verification/driver/baseline_json.hpp"
 
-#include <cmath>
 #include <nlohmann/json.hpp>
+
+#include "verification/record/json_number.hpp"
 
 namespace talus::verification {
 
 namespace {
 
+using records::json_number;
 using Json = nlohmann::ordered_json;
 
 constexpr int baseline_schema = 1;
-
-/// JSON has no NaN and no infinity: they become texts, as in results.json.
-Json number(double value) {
-  if (std::isnan(value)) return "nan";
-  if (std::isinf(value)) return value > 0.0 ? "inf" : "-inf";
-  return value;
-}
 
 Json to_json(const ResultsSource& source) {
   const Provenance& from = source.provenance;
@@ -48,12 +43,12 @@ Json to_json(const Allowance& allowance) {
           {"only", allowance.only}};
 }
 
-Json to_json(const RecordedCheck& check) {
-  Json json{{"measured", number(check.measured)},
-            {"reference", number(check.reference)},
-            {"error", number(check.error)},
+Json to_json(const Check& check) {
+  Json json{{"measured", json_number(check.measured)},
+            {"reference", json_number(check.reference)},
+            {"error", json_number(check.error)},
             {"bound", check.bound},
-            {"margin", number(check.margin)},
+            {"margin", json_number(check.margin)},
             {"relative", check.relative},
             {"kind", name_of(check.kind)},
             {"unit", check.unit},
@@ -62,11 +57,11 @@ Json to_json(const RecordedCheck& check) {
   return json;
 }
 
-Json to_json(const RecordedControl& control) {
+Json to_json(const Control& control) {
   return {{"turns_red", control.turns_red},
           {"observed", name_of(control.observed)},
           {"unplanted", name_of(control.unplanted)},
-          {"pass", control.pass},
+          {"pass", control.pass()},
           {"message", control.message}};
 }
 
@@ -101,10 +96,10 @@ Json to_json(const CheckChange& change) {
   Json json = head_of(change);
   if (change.presence == Presence::both) {
     json["value"] = name_of(change.movement);
-    json["difference"] = number(change.difference);
-    json["change_over_bound"] = number(change.moved);
+    json["difference"] = json_number(change.difference);
+    json["change_over_bound"] = json_number(change.moved);
     json["tolerance"] = change.tolerance;
-    json["margin_growth"] = number(change.growth);
+    json["margin_growth"] = json_number(change.growth);
   }
   return with_values(std::move(json), change);
 }

@@ -41,13 +41,13 @@ std::string item_text(const Change<T>& change) {
 }
 
 /// The measured value as text or number, followed by the reference in brackets if that changed.
-std::string measured_text(const RecordedCheck& check, const std::string& number, const std::string& reference) {
+std::string measured_text(const Check& check, const std::string& number, const std::string& reference) {
   const std::string measured = check.text_measured.empty() ? with_unit(number, check.unit) : check.text_measured;
   const std::string verdict = check.pass ? "" : "FAIL ";
   return verdict + measured + (reference.empty() ? "" : " (reference " + reference + ")");
 }
 
-std::string bound_text(const RecordedCheck& check, double bound) {
+std::string bound_text(const Check& check, double bound) {
   if (bound == 0.0) return "exact";
   const std::string number = fmt::format("{:.4g}", bound);
   return check.relative ? number + " of the reference" : with_unit(number, check.unit);
@@ -61,7 +61,7 @@ std::string moved_text(const CheckChange& change) {
 }
 
 /// error/bound before and after, each on the correct side of 1, with as many digits as show that they differ.
-std::string margin_change(const RecordedCheck& before, const RecordedCheck& after) {
+std::string margin_change(const Check& before, const Check& after) {
   std::string from, to;
   for (int digits = 3; digits <= 17 && from == to; ++digits) {
     from = records::margin_text(before.margin, before.pass, digits);
@@ -72,7 +72,7 @@ std::string margin_change(const RecordedCheck& before, const RecordedCheck& afte
 }
 
 ChangeLine line_of(const CheckChange& change, const std::string& why) {
-  const RecordedCheck &before = *change.before, &after = *change.after;
+  const Check &before = *change.before, &after = *change.after;
   const auto [old_value, new_value] = number_pair(before.measured, after.measured);
   auto [old_reference, new_reference] = number_pair(before.reference, after.reference);
   if (old_reference == new_reference) old_reference = new_reference = "";
@@ -89,7 +89,7 @@ ChangeLine line_of(const CheckChange& change, const std::string& why) {
 }
 
 ChangeLine line_of_gone(const CheckChange& change, const std::string& why) {
-  const RecordedCheck& before = *change.before;
+  const Check& before = *change.before;
   ChangeLine line;
   line.why = why;
   line.item = item_text(change);
@@ -99,8 +99,8 @@ ChangeLine line_of_gone(const CheckChange& change, const std::string& why) {
   return line;
 }
 
-std::string colours(const RecordedControl& control) {
-  if (control.pass) return "red with the fault";
+std::string colours(const Control& control) {
+  if (control.pass()) return "red with the fault";
   return fmt::format("FAIL '{}' is {} with the fault, {} without it", control.turns_red, name_of(control.observed),
                      name_of(control.unplanted));
 }
@@ -147,7 +147,7 @@ std::set<std::string> unfinished_cases(const Comparison& comparison) {
 
 /// Kind of change of a check that is not worse; empty if unchanged.
 std::string admitted_change(const CheckChange& change) {
-  const RecordedCheck &before = *change.before, &after = *change.after;
+  const Check &before = *change.before, &after = *change.after;
   if (!before.pass && after.pass) return "improved";
   if (after.bound > before.bound) return "bound widened";
   if (change.movement == Movement::changed) return "value";

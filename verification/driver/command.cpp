@@ -232,9 +232,10 @@ int exit_status(bool holds, GateVerdict verdict) {
 }
 
 /// Compares the results just written. If memory runs out, the results are kept.
-int compared(const BaselineGate& gate, const fs::path& out, bool holds) {
+int compared(const BaselineGate& gate, const ResultsFile& after, const fs::path& out) {
+  const bool holds = records::holds(after.results);
   try {
-    return exit_status(holds, finish(gate, read_results(out / "results.json"), out));
+    return exit_status(holds, finish(gate, after, out));
   } catch (const std::bad_alloc&) {
     std::fputs("talus_verify: out of memory; the results were not compared with the baseline\n", stderr);
     return holds ? exit_io : exit_fail;
@@ -277,7 +278,7 @@ int run(const std::vector<Case>& cases, const Catalogue& catalogue, const Option
   results.records = records_of(selection, cases, catalogue, plan, terminal);
   write_results_within_memory(results, catalogue, out, std::move(reserve));
   terminal.summarise(results, (out / "results.json").string());
-  if (gate) return compared(*gate, out, holds(results));
+  if (gate) return compared(*gate, {out / "results.json", std::move(results)}, out);
   return holds(results) ? exit_pass : exit_fail;
 }
 
@@ -285,19 +286,16 @@ int run(const std::vector<Case>& cases, const Catalogue& catalogue, const Option
 int compare_files(const Catalogue& catalogue, const Options& options) {
   const fs::path out = options.out;
   const BaselineGate gate = read_gate(options.baseline, options.only, out);
-  const RecordedResults after = read_results(options.baseline.compare);
-  std::vector<std::string> known = after.registered;
-  for (const auto& recorded : after.cases) {
-    if (std::find(known.begin(), known.end(), recorded.id) == known.end()) known.push_back(recorded.id);
-  }
-  validate(gate.before, after.source.tier, gate.allowance, gate.renames, catalogue.families, known);
+  const ResultsFile after = read_results_file(options.baseline.compare);
+  const std::vector<std::string>& known = after.results.registered;
+  validate(gate.before, after.results.tier, gate.allowance, gate.renames, catalogue.families, known);
   for (const auto& id : options.only) {
-    if (find_case(after, id) == nullptr && find_case(gate.before, id) == nullptr)
+    if (find_case(after.results, id) == nullptr && find_case(gate.before.results, id) == nullptr)
       throw unknown_name("--only: case", id, known);
   }
   fs::create_directories(out);
   remove_comparison(out);
-  return exit_status(after.source.holds, finish(gate, after, out));
+  return exit_status(holds(after.results), finish(gate, after, out));
 }
 
 void print_error(const std::exception& error) {

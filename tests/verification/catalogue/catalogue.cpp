@@ -1,13 +1,11 @@
 /// The readers of requirements.toml, peers.toml and errata.toml: accepted input, and messages for mistakes.
 #include "verification/catalogue/catalogue.hpp"
 
-#include <unistd.h>
-
 #include <boost/test/unit_test.hpp>
-#include <fstream>
 #include <map>
 
 #include "solver/base/error.hpp"
+#include "tests/temporary_folder.hpp"
 
 BOOST_AUTO_TEST_SUITE(catalogue_tests)
 
@@ -36,12 +34,10 @@ const std::map<std::string, std::string> sound{
 };
 
 Catalogue read(const std::map<std::string, std::string>& files) {
-  const fs::path folder = fs::temp_directory_path() / ("talus_catalogue_" + std::to_string(::getpid()));
-  fs::remove_all(folder);
-  fs::create_directories(folder);
+  const Folder folder;
   for (const auto& [name, text] : files)
-    std::ofstream(folder / name) << text;
-  return read_catalogue(folder);
+    folder.file(name, text);
+  return read_catalogue(folder.path);
 }
 
 /// Error message for the valid catalogue with `old` in a file replaced by `changed`, from the file's name on.

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "tests/verification/data/measured_files.hpp"
+#include "tests/verification/driver/text_parts.hpp"
 #include "verification/driver/case_run.hpp"
 
 BOOST_AUTO_TEST_SUITE(measured_case_tests)

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "tests/verification/driver/temporary_folder.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace talus::verification {
 
@@ -27,13 +27,13 @@ inline const std::string flight_set =
 
 /// A folder with a set of measurements, its scene and its data.
 struct MeasuredFolder {
-  TemporaryFolder files;
+  Folder files;
 
   explicit MeasuredFolder(const std::string& csv = "speed [m/s],height [m],u\n4,1.76,0.01\n6,2.74,0.02\n",
                           const std::string& set = flight_set, const std::string& scene = flight_scene) {
-    files.write("flight.toml", scene);
-    files.write("heights.csv", csv);
-    files.write("heights.measured.toml", set);
+    files.file("flight.toml", scene);
+    files.file("heights.csv", csv);
+    files.file("heights.measured.toml", set);
   }
   [[nodiscard]] std::filesystem::path set() const { return files.path / "heights.measured.toml"; }
 };

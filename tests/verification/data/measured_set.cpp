@@ -4,7 +4,9 @@
 #include <boost/test/unit_test.hpp>
 
 #include "solver/base/error.hpp"
+#include "tests/temporary_folder.hpp"
 #include "tests/verification/data/measured_files.hpp"
+#include "tests/verification/driver/text_parts.hpp"
 #include "verification/data/scene_field.hpp"
 
 BOOST_AUTO_TEST_SUITE(measured_set_tests)
@@ -110,7 +112,7 @@ BOOST_AUTO_TEST_CASE(wrong_data_and_scenes_are_refused) {
   BOOST_TEST(refused(MeasuredFolder{"speed [m/s],height [m],u\n4,1.76,0.01\n6,2.7,0.01"}, "heights.csv"));
   BOOST_TEST(refused(MeasuredFolder{"speed [m/s],height [m],u\n4,1.76,0.01\n6,2.74,0.02\n", flight_set, "title = \n"},
                      "flight.toml:1: not TOML"));
-  const TemporaryFolder empty;
+  const Folder empty;
   BOOST_CHECK_EXCEPTION(static_cast<void>(measured_files(empty.path)), InputError, [](const InputError& wrong) {
     return holds_text(wrong.what(), "found no file NAME.measured.toml");
   });

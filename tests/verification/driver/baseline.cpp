@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
-
 #include <limits>
 
 #include "solver/base/error.hpp"
@@ -25,13 +24,13 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 using Reasons = std::vector<Reason>;
 
-Comparison compared(const RecordedResults& before, const RecordedResults& after, const Allowance& allowance = {},
+Comparison compared(const ResultsFile& before, const ResultsFile& after, const Allowance& allowance = {},
                     const std::vector<Renaming>& renames = {}) {
   return compare(before, after, allowance, renames);
 }
 
 /// Compares one check before and after.
-CheckChange compared(const RecordedCheck& before, const RecordedCheck& after, const Allowance& allowance = {}) {
+CheckChange compared(const Check& before, const Check& after, const Allowance& allowance = {}) {
   const Comparison comparison = compared(recorded_results({recorded_case("a", {before})}),
                                          recorded_results({recorded_case("a", {after})}, "new.json"), allowance);
   BOOST_REQUIRE(comparison.checks.size() == 1u);
@@ -53,7 +52,7 @@ ItemName name(const std::string& id, const std::string& item = "") { return {id,
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(equal_results_are_not_worse) {
-  const RecordedResults results = recorded_results(
+  const ResultsFile results = recorded_results(
       {recorded_case("a", {measured("value", 1.1), measured("lost", not_a_number)}, {control("fault")}),
        recorded_case("b", {measured("value", 1.2)})});
   const Comparison comparison = compared(results, results);
@@ -82,7 +81,7 @@ BOOST_AUTO_TEST_CASE(any_change_is_worse_by_default) {
 }
 
 BOOST_AUTO_TEST_CASE(round_off_is_a_separate_class) {
-  const RecordedCheck before = measured("value", 1.1);
+  const Check before = measured("value", 1.1);
   const CheckChange last_bit = compared(before, measured("value", std::nextafter(1.1, 1.0)));
   BOOST_TEST(last_bit.movement == Movement::round_off);
   BOOST_TEST(last_bit.worse == Reasons{Reason::round_off});
@@ -96,7 +95,7 @@ BOOST_AUTO_TEST_CASE(round_off_is_a_separate_class) {
 
 BOOST_AUTO_TEST_CASE(checks_that_count_roundings_may_move_within_their_bound) {
   const auto rounded = [](double value) {
-    return recorded(compare("value", value, 0.0, Tolerance::round_off(4e-16, "two operations"), "1"));
+    return compare("value", value, 0.0, Tolerance::round_off(4e-16, "two operations"), "1");
   };
   const Allowance allowance{.tolerances = {}, .margin = {}, .round_off = true};
   const CheckChange within = compared(rounded(1e-16), rounded(-3e-16), allowance);
@@ -105,7 +104,7 @@ BOOST_AUTO_TEST_CASE(checks_that_count_roundings_may_move_within_their_bound) {
   BOOST_TEST(compared(rounded(1e-16), rounded(-3e-16)).worse == (Reasons{Reason::margin, Reason::round_off}));
   BOOST_TEST(compared(rounded(3e-16), rounded(-2e-16), allowance).worse == Reasons{Reason::value});
   // The same change of a check of another kind does not count as round-off.
-  RecordedCheck other = rounded(-3e-16);
+  Check other = rounded(-3e-16);
   other.kind = Kind::truncation;
   BOOST_TEST(compared(rounded(1e-16), other).movement == Movement::changed);
 }
@@ -117,7 +116,7 @@ BOOST_AUTO_TEST_CASE(the_sign_of_zero_shows_and_does_not_gate) {
 }
 
 BOOST_AUTO_TEST_CASE(a_tolerance_is_in_bounds_on_both_sides) {
-  const RecordedCheck before = measured("value", 1.1);  // bound 0.5
+  const Check before = measured("value", 1.1);  // bound 0.5
   BOOST_TEST(compared(before, measured("value", 1.19), tolerance(0.2)).worse == Reasons{});
   BOOST_TEST(compared(before, measured("value", 1.01), tolerance(0.2)).worse == Reasons{});
   BOOST_TEST(compared(before, measured("value", 1.21), tolerance(0.2)).worse ==
@@ -129,7 +128,7 @@ BOOST_AUTO_TEST_CASE(a_tolerance_is_in_bounds_on_both_sides) {
 
 BOOST_AUTO_TEST_CASE(a_relative_bound_is_taken_times_the_reference) {
   const auto relative = [](double value) {
-    return recorded(compare("value", value, 10.0, Tolerance::model(0.1, "chosen").relative(), "m"));
+    return compare("value", value, 10.0, Tolerance::model(0.1, "chosen").relative(), "m");
   };
   const CheckChange change = compared(relative(10.0), relative(10.5));
   BOOST_TEST(change.moved == 0.5);
@@ -147,7 +146,7 @@ BOOST_AUTO_TEST_CASE(the_bound_of_the_baseline_counts) {
 
 BOOST_AUTO_TEST_CASE(an_exact_check_changes_by_its_reference) {
   const auto exact = [](double value, double reference) {
-    return recorded(compare("value", value, reference, Tolerance::exact("the same way twice"), "lb"));
+    return compare("value", value, reference, Tolerance::exact("the same way twice"), "lb");
   };
   const CheckChange both = compared(exact(200.0, 200.0), exact(201.0, 201.0));
   BOOST_TEST(both.moved == 0.005);
@@ -160,8 +159,8 @@ BOOST_AUTO_TEST_CASE(an_exact_check_changes_by_its_reference) {
 }
 
 BOOST_AUTO_TEST_CASE(numbers_that_are_not_finite) {
-  const RecordedCheck lost = measured("value", not_a_number), endless = measured("value", infinity);
-  const RecordedCheck sound = measured("value", 1.1), wrong = measured("value", 3.0);
+  const Check lost = measured("value", not_a_number), endless = measured("value", infinity);
+  const Check sound = measured("value", 1.1), wrong = measured("value", 3.0);
   BOOST_TEST(compared(lost, lost).worse == Reasons{});
   BOOST_TEST(compared(endless, endless).worse == Reasons{});
   BOOST_TEST(compared(endless, endless).difference == 0.0);
@@ -173,7 +172,7 @@ BOOST_AUTO_TEST_CASE(numbers_that_are_not_finite) {
 }
 
 BOOST_AUTO_TEST_CASE(another_unit_is_worse) {
-  RecordedCheck feet = measured("value", 1.1);
+  Check feet = measured("value", 1.1);
   feet.unit = "ft";
   const CheckChange change = compared(measured("value", 1.1), feet, tolerance(1e9));
   BOOST_TEST(change.movement == Movement::changed);
@@ -216,7 +215,7 @@ BOOST_AUTO_TEST_CASE(verdicts) {
 }
 
 BOOST_AUTO_TEST_CASE(a_margin_limits_the_growth_of_error_over_bound) {
-  const RecordedCheck before = measured("value", 1.1, 0.5), tighter = measured("value", 1.1, 0.25);  // 0.2 -> 0.4
+  const Check before = measured("value", 1.1, 0.5), tighter = measured("value", 1.1, 0.25);  // 0.2 -> 0.4
   BOOST_TEST(compared(before, tighter).movement == Movement::identical);
   BOOST_TEST(compared(before, tighter).growth == 0.2, boost::test_tools::tolerance(1e-12));
   BOOST_TEST(compared(before, tighter).worse == Reasons{Reason::margin});
@@ -231,7 +230,7 @@ BOOST_AUTO_TEST_CASE(a_margin_limits_the_growth_of_error_over_bound) {
 
 BOOST_AUTO_TEST_CASE(another_reference_counts_by_its_error) {
   const auto against = [](double reference) {
-    return recorded(compare("value", 1.5, reference, Tolerance::model(0.5, "chosen"), "m"));
+    return compare("value", 1.5, reference, Tolerance::model(0.5, "chosen"), "m");
   };
   BOOST_TEST(compared(against(1.5), against(1.25)).worse == Reasons{Reason::margin});
   BOOST_TEST(compared(against(1.25), against(1.5)).worse == Reasons{});
@@ -249,7 +248,7 @@ BOOST_AUTO_TEST_CASE(bounds_are_counted) {
 }
 
 BOOST_AUTO_TEST_CASE(controls) {
-  const auto results = [](std::vector<RecordedControl> all) {
+  const auto results = [](std::vector<Control> all) {
     return recorded_results({recorded_case("a", {measured("value", 1.1)}, std::move(all))});
   };
   const Comparison comparison =
@@ -297,8 +296,8 @@ BOOST_AUTO_TEST_CASE(checks_and_cases_that_are_gone_or_new) {
 
 BOOST_AUTO_TEST_CASE(a_case_that_ends_otherwise) {
   const auto ended = [](Status status) {
-    RecordedCase c = recorded_case("a", {});
-    c.outcome.status = status;
+    Record c = recorded_case("a", {});
+    c.status = status;
     return recorded_results({c});
   };
   const auto worse = [&](Status before, Status after) { return compared(ended(before), ended(after)).cases[0].worse; };
@@ -310,9 +309,9 @@ BOOST_AUTO_TEST_CASE(a_case_that_ends_otherwise) {
 
 BOOST_AUTO_TEST_CASE(evaluations_and_seconds) {
   const auto spent = [](std::uint64_t evaluations, double seconds) {
-    RecordedCase c = recorded_case("a", {});
-    c.outcome.evaluations = evaluations;
-    c.outcome.seconds = seconds;
+    Record c = recorded_case("a", {});
+    c.evaluations = evaluations;
+    c.seconds = seconds;
     return recorded_results({c});
   };
   const auto worse = [&](std::uint64_t before, std::uint64_t after, double growth = 0.0) {
@@ -336,11 +335,11 @@ BOOST_AUTO_TEST_CASE(evaluations_and_seconds) {
 }
 
 BOOST_AUTO_TEST_CASE(only_the_cases_selected_are_compared) {
-  const RecordedResults before = recorded_results(
+  const ResultsFile before = recorded_results(
       {recorded_case("a", {measured("value", 1.1)}, {control("f")}), recorded_case("b", {measured("value", 1.1)})});
-  RecordedResults after = recorded_results({recorded_case("b", {measured("value", 1.1)})});
+  ResultsFile after = recorded_results({recorded_case("b", {measured("value", 1.1)})});
   BOOST_TEST(totals_of(compared(before, after)).worse() == 3u);  // Without --only, a is gone.
-  after.source.only = {"b"};
+  after.results.only = {"b"};
   const Comparison by_run = compared(before, after);
   BOOST_TEST(totals_of(by_run).worse() == 0u);
   BOOST_TEST(by_run.unselected == std::vector<std::string>{"a"}, boost::test_tools::per_element());
@@ -356,9 +355,9 @@ BOOST_AUTO_TEST_CASE(only_the_cases_selected_are_compared) {
 // --- Renames --------------------------------------------------------------------------------------------------------
 
 BOOST_AUTO_TEST_CASE(renamed_items_are_compared) {
-  const RecordedResults before = recorded_results({recorded_case(
+  const ResultsFile before = recorded_results({recorded_case(
       "old", {measured("x", 1.1), measured("y", 1.2), measured("z", 1.3)}, {control("f"), control("g")})});
-  const RecordedResults after =
+  const ResultsFile after =
       recorded_results({recorded_case("new", {measured("x", 1.1), measured("why", 1.2)}, {control("f"), control("h")}),
                         recorded_case("other", {measured("z", 1.3)})});
   const Comparison comparison = compared(before, after, {},
@@ -379,15 +378,15 @@ BOOST_AUTO_TEST_CASE(renamed_items_are_compared) {
 }
 
 BOOST_AUTO_TEST_CASE(a_rename_hides_no_difference) {
-  const RecordedResults before = recorded_results({recorded_case("a", {measured("x", 1.1)})});
-  const RecordedResults after = recorded_results({recorded_case("a", {measured("y", 1.2)})});
+  const ResultsFile before = recorded_results({recorded_case("a", {measured("x", 1.1)})});
+  const ResultsFile after = recorded_results({recorded_case("a", {measured("y", 1.2)})});
   const Comparison comparison = compared(before, after, {}, {{name("a", "x"), name("a", "y"), "r:1"}});
   BOOST_TEST(find(comparison.checks, "a/y").worse == (Reasons{Reason::value, Reason::margin}));
 }
 
 BOOST_AUTO_TEST_CASE(exchanged_names_are_compared_crosswise) {
-  const RecordedResults before = recorded_results({recorded_case("a", {measured("x", 1.1), measured("y", 1.2)})});
-  const RecordedResults after = recorded_results({recorded_case("a", {measured("x", 1.2), measured("y", 1.1)})});
+  const ResultsFile before = recorded_results({recorded_case("a", {measured("x", 1.1), measured("y", 1.2)})});
+  const ResultsFile after = recorded_results({recorded_case("a", {measured("x", 1.2), measured("y", 1.1)})});
   BOOST_TEST(totals_of(compared(before, after)).checks.worse == 2u);
   const Comparison comparison =
       compared(before, after, {}, {{name("a", "x"), name("a", "y"), "r:1"}, {name("a", "y"), name("a", "x"), "r:2"}});
@@ -396,8 +395,8 @@ BOOST_AUTO_TEST_CASE(exchanged_names_are_compared_crosswise) {
 }
 
 BOOST_AUTO_TEST_CASE(a_name_that_is_taken_by_a_rename_is_gone) {
-  const RecordedResults before = recorded_results({recorded_case("a", {measured("y", 1.2), measured("x", 1.1)})});
-  const RecordedResults after = recorded_results({recorded_case("a", {measured("y", 1.1)})});
+  const ResultsFile before = recorded_results({recorded_case("a", {measured("y", 1.2), measured("x", 1.1)})});
+  const ResultsFile after = recorded_results({recorded_case("a", {measured("y", 1.1)})});
   const Comparison comparison = compared(before, after, {}, {{name("a", "x"), name("a", "y"), "r:1"}});
   BOOST_REQUIRE(comparison.checks.size() == 2u);
   BOOST_TEST(comparison.checks[0].worse == Reasons{});
@@ -406,10 +405,10 @@ BOOST_AUTO_TEST_CASE(a_name_that_is_taken_by_a_rename_is_gone) {
 }
 
 BOOST_AUTO_TEST_CASE(what_was_removed_on_purpose_is_not_worse) {
-  const RecordedResults before =
+  const ResultsFile before =
       recorded_results({recorded_case("a", {measured("x", 1.1), measured("y", 1.1)}, {control("f")}),
                         recorded_case("b", {measured("x", 1.1)})});
-  const RecordedResults after = recorded_results({recorded_case("a", {measured("y", 1.1)})});
+  const ResultsFile after = recorded_results({recorded_case("a", {measured("y", 1.1)})});
   const Comparison comparison = compared(before, after, {},
                                          {{name("a", "x"), std::nullopt, "r:1"},
                                           {name("a", "control: f"), std::nullopt, "r:2"},
@@ -422,11 +421,11 @@ BOOST_AUTO_TEST_CASE(what_was_removed_on_purpose_is_not_worse) {
 }
 
 BOOST_AUTO_TEST_CASE(renames_that_the_new_results_contradict) {
-  const RecordedResults before = recorded_results({recorded_case("a", {measured("x", 1.1), measured("y", 1.1)})});
-  const auto errors = [&](const RecordedResults& after, std::vector<Renaming> renames) {
+  const ResultsFile before = recorded_results({recorded_case("a", {measured("x", 1.1), measured("y", 1.1)})});
+  const auto errors = [&](const ResultsFile& after, std::vector<Renaming> renames) {
     return compared(before, after, {}, renames).renaming_errors;
   };
-  const RecordedResults after =
+  const ResultsFile after =
       recorded_results({recorded_case("a", {measured("x", 1.1), measured("z", 1.1)})}, "new.json");
   const auto absent = errors(after, {{name("a", "y"), name("a", "w"), "r:1"}});
   BOOST_REQUIRE(absent.size() == 1u);
@@ -437,18 +436,18 @@ BOOST_AUTO_TEST_CASE(renames_that_the_new_results_contradict) {
   BOOST_TEST(errors(after, {{name("a", "x"), std::nullopt, "r:3"}}).size() == 1u);
   BOOST_TEST(errors(after, {{name("a", "y"), name("a", "z"), "r:4"}}).empty());
   // A case that did not finish makes no check; and names that are not compared are not required.
-  RecordedResults stopped = recorded_results({recorded_case("a", {})});
-  stopped.cases[0].outcome.status = Status::timeout;
+  ResultsFile stopped = recorded_results({recorded_case("a", {})});
+  stopped.results.records[0].status = Status::timeout;
   BOOST_TEST(errors(stopped, {{name("a", "y"), name("a", "w"), "r:1"}}).empty());
-  RecordedResults partial = recorded_results({recorded_case("b", {})});
-  partial.source.only = {"b"};
+  ResultsFile partial = recorded_results({recorded_case("b", {})});
+  partial.results.only = {"b"};
   BOOST_TEST(errors(partial, {{name("a", "y"), name("a", "w"), "r:1"}}).empty());
 }
 
 // --- Refused before a run ------------------------------------------------------------------------------------------
 
 BOOST_AUTO_TEST_CASE(what_is_refused_before_a_run) {
-  const RecordedResults before = recorded_results({recorded_case("a", {measured("x", 1.1)}, {control("f")})});
+  const ResultsFile before = recorded_results({recorded_case("a", {measured("x", 1.1)}, {control("f")})});
   const auto refused = [&](const std::vector<ChangeTolerance>& tolerances, const std::vector<Renaming>& renames,
                            Tier tier = Tier::quick) -> std::string {
     try {

@@ -6,8 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "tests/temporary_folder.hpp"
 #include "tests/verification/driver/synthetic_cases.hpp"
-#include "tests/verification/driver/temporary_folder.hpp"
+#include "tests/verification/driver/text_parts.hpp"
 #include "verification/driver/command.hpp"
 
 BOOST_AUTO_TEST_SUITE(baseline_command_tests)
@@ -53,7 +54,7 @@ Case renamed_case(const std::string& id = "a") {
 
 /// A folder with the results of cases a and b as baseline, in old/results.json.
 struct Baseline {
-  TemporaryFolder folder;
+  Folder folder;
   std::string file = (folder.path / "old" / "results.json").string();
   std::string out = (folder.path / "new").string();
 
@@ -69,7 +70,7 @@ struct Baseline {
     return run(cases, options);
   }
 
-  json comparison() const { return json::parse(contents_of(out + "/baseline.json")); }
+  json comparison() const { return json::parse(folder.text("new/baseline.json")); }
 };
 
 const std::vector<Case> same{synthetic("a", sound), synthetic("b", sound)};
@@ -82,7 +83,7 @@ BOOST_AUTO_TEST_CASE(an_identical_run_is_zero) {
   BOOST_TEST(baseline.against(same) == 0);
   BOOST_TEST(baseline.comparison().at("verdict") == "not worse");
   BOOST_TEST(baseline.comparison().at("totals").at("values").at("identical") == 2);
-  BOOST_TEST(holds_text(contents_of(baseline.out + "/baseline.md"), "nothing is worse than the baseline"));
+  BOOST_TEST(holds_text(baseline.folder.text("new/baseline.md"), "nothing is worse than the baseline"));
   BOOST_TEST(!std::filesystem::exists(baseline.out + "/baseline.json.part"));
 }
 
@@ -90,7 +91,7 @@ BOOST_AUTO_TEST_CASE(a_changed_value_is_six) {
   const Baseline baseline;
   BOOST_TEST(baseline.against(other) == 6);
   BOOST_TEST(baseline.comparison().at("checks").at(0).at("worse") == json({"value"}));
-  BOOST_TEST(holds_text(contents_of(baseline.out + "/results.json"), "\"verdict\": \"pass\""));
+  BOOST_TEST(holds_text(baseline.folder.text("new/results.json"), "\"verdict\": \"pass\""));
 }
 
 BOOST_AUTO_TEST_CASE(a_run_that_fails_is_one_whatever_the_comparison_says) {
@@ -168,7 +169,7 @@ BOOST_AUTO_TEST_CASE(renames) {
   const Baseline baseline({synthetic("old", sound)});
   const std::vector<Case> now{renamed_case("new")};
   const auto status = [&](const std::string& text) {
-    return baseline.against(now, {"--renamed", baseline.folder.write("renames.txt", text)});
+    return baseline.against(now, {"--renamed", baseline.folder.file("renames.txt", text)});
   };
   BOOST_TEST(baseline.against(now) == 6);
   BOOST_TEST(status("old -> new\nold/value -> new/value of the same\n") == 0);
@@ -209,9 +210,15 @@ BOOST_AUTO_TEST_CASE(a_baseline_that_cannot_be_read_runs_nothing) {
   const auto status = [&](const std::string& file) { return run(same, {"--out", baseline.out, "--baseline", file}); };
   BOOST_TEST(status(baseline.file + ".none") == 4);
   BOOST_TEST(status(baseline.folder.path.string()) == 4);
-  BOOST_TEST(status(baseline.folder.write("empty.json", "")) == 2);
-  BOOST_TEST(status(baseline.folder.write("text.json", "results")) == 2);
-  BOOST_TEST(status(baseline.folder.write("schema.json", "{\"schema\": 7}")) == 2);
+  BOOST_TEST(status(baseline.folder.file("empty.json", "")) == 2);
+  BOOST_TEST(status(baseline.folder.file("text.json", "results")) == 2);
+  BOOST_TEST(status(baseline.folder.file("schema.json", "{\"schema\": 7}")) == 2);
+  json wrong = json::parse(baseline.folder.text("old/results.json"));
+  wrong["verdict"] = "fail";
+  BOOST_TEST(status(baseline.folder.file("verdict.json", wrong.dump())) == 2);
+  wrong = json::parse(baseline.folder.text("old/results.json"));
+  wrong["cases"][0]["checks"][0]["measured"] = "1.0";
+  BOOST_TEST(status(baseline.folder.file("text.json", wrong.dump())) == 2);
   BOOST_TEST(baseline.against(same, {"--renamed", baseline.file + ".none"}) == 4);
   BOOST_TEST(!std::filesystem::exists(baseline.out));
 }
@@ -254,7 +261,7 @@ BOOST_AUTO_TEST_CASE(an_input_that_would_be_overwritten_is_refused) {
   const std::string file = baseline.out + "/baseline.json";
   std::filesystem::copy_file(baseline.file, file);
   BOOST_TEST(run(same, {"--out", baseline.out, "--baseline", file}) == 2);
-  BOOST_TEST(contents_of(file) == contents_of(baseline.file));
+  BOOST_TEST(baseline.folder.text("new/baseline.json") == baseline.folder.text("old/results.json"));
 }
 
 BOOST_AUTO_TEST_CASE(two_files_are_compared_without_a_run) {
@@ -275,14 +282,13 @@ BOOST_AUTO_TEST_CASE(two_files_are_compared_without_a_run) {
   BOOST_TEST(status(changed.file, {"--only", "b"}) == 0);
   BOOST_TEST(status(changed.file, {"--only", "z"}) == 2);
   BOOST_TEST(status(changed.file + ".none") == 4);
-  BOOST_TEST(status(baseline.folder.write("text.json", "results")) == 2);
+  BOOST_TEST(status(baseline.folder.file("text.json", "results")) == 2);
   const Baseline full(same, {"--full"});
   BOOST_TEST(status(full.file) == 2);
   const Baseline partial(same, {"--only", "a"});
   BOOST_TEST(status(partial.file) == 0);  // The file records that only a was run.
-  json failed = json::parse(contents_of(baseline.file));
-  failed["verdict"] = "fail";
-  BOOST_TEST(status(baseline.folder.write("failed.json", failed.dump())) == 1);
+  BOOST_TEST(baseline.against({synthetic("a", measuring<30>), synthetic("b", sound)}) == 1);
+  BOOST_TEST(status(baseline.out + "/results.json") == 1);
 }
 
 BOOST_AUTO_TEST_CASE(a_comparison_that_cannot_be_written_is_four) {

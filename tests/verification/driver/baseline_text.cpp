@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "tests/verification/driver/recorded_cases.hpp"
-#include "tests/verification/driver/temporary_folder.hpp"
+#include "tests/verification/driver/text_parts.hpp"
 #include "verification/driver/baseline_json.hpp"
 #include "verification/driver/baseline_lines.hpp"
 #include "verification/driver/baseline_markdown.hpp"
@@ -23,37 +23,40 @@ std::size_t lines_in(const std::string& text) {
   return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
 }
 
-RecordedResults baseline() {
-  RecordedResults results = recorded_results(
+ResultsFile baseline() {
+  ResultsFile results = recorded_results(
       {recorded_case("a", {measured("distance | x_1", 1.1), measured("gone", 1.1), measured("kept", 1.05)},
                      {control("halved")}),
        recorded_case("b", {measured("value", 1.1)}, {control("doubled")}),
        recorded_case("c", {measured("value", 1.6)})});
-  results.source.provenance.revision = "0123456789abcdef";
-  results.source.provenance.compiler = "GNU 12.2.0";
-  results.source.provenance.date = "2026-01-02T03:04:05Z";
-  results.source.provenance.libraries = {{"fmt", "9.1.0"}};
+  results.results.provenance.revision = "0123456789abcdef";
+  results.results.provenance.compiler = "GNU 12.2.0";
+  results.results.provenance.date = "2026-01-02T03:04:05Z";
+  results.results.provenance.libraries = {{"fmt", "9.1.0"}};
   return results;
 }
 
 /// Results in which everything differs: a check, a control, a case that is stopped, evaluations, a verdict that
 /// improves, a wider bound.
-RecordedResults changed() {
-  RecordedResults results = recorded_results(
+ResultsFile changed() {
+  ResultsFile results = recorded_results(
       {recorded_case("a", {measured("distance | x_1", 1.3), measured("kept", 1.05, 1.0), measured("new", 1.0)},
                      {control("halved", false)}),
        recorded_case("b", {}), recorded_case("c", {measured("value", 1.4)})},
       "new.json");
-  results.cases[0].outcome.evaluations = 150;
-  results.cases[1].outcome = {Status::timeout, "stopped at its time limit of 60 s", 60.0, 0};
-  results.source.holds = false;
-  results.source.provenance = baseline().source.provenance;
-  results.source.provenance.compiler = "GNU 13.1.0";
-  results.source.provenance.dirty = true;
+  results.results.records[0].evaluations = 150;
+  Record& stopped = results.results.records[1];
+  stopped.status = Status::timeout;
+  stopped.message = "stopped at its time limit of 60 s";
+  stopped.seconds = 60.0;
+  stopped.evaluations = 0;
+  results.results.provenance = baseline().results.provenance;
+  results.results.provenance.compiler = "GNU 13.1.0";
+  results.results.provenance.dirty = true;
   return results;
 }
 
-Comparison comparison_of(const RecordedResults& after) { return compare(baseline(), after, {}, {}); }
+Comparison comparison_of(const ResultsFile& after) { return compare(baseline(), after, {}, {}); }
 
 void demand_text(const std::string& text, const std::vector<std::string>& parts) {
   for (const std::string& part : parts)
@@ -94,7 +97,7 @@ BOOST_AUTO_TEST_CASE(a_line_says_what_became_worse_and_by_how_much) {
 }
 
 BOOST_AUTO_TEST_CASE(the_largest_change_comes_first_and_the_rest_is_counted) {
-  std::vector<RecordedCheck> before, after;
+  std::vector<Check> before, after;
   for (int i = 0; i < 300; ++i) {
     before.push_back(measured("check " + std::to_string(i), 1.0));
     after.push_back(measured("check " + std::to_string(i), 1.0 + 0.001 * (i + 1)));
@@ -123,15 +126,13 @@ BOOST_AUTO_TEST_CASE(numbers_show_that_they_differ) {
 }
 
 BOOST_AUTO_TEST_CASE(true_and_false_are_words_and_changes_of_an_exact_check_are_of_its_reference) {
-  const auto exact = [](double value) {
-    return recorded(compare("size", value, value, Tolerance::exact("twice"), "lb"));
-  };
+  const auto exact = [](double value) { return compare("size", value, value, Tolerance::exact("twice"), "lb"); };
   Findings holds, fails;
   holds.expect_true("same bits", true, "so");
   fails.expect_true("same bits", false, "so");
   const Comparison comparison =
-      compare(recorded_results({recorded_case("a", {exact(2.0), recorded(holds.checks()[0])})}),
-              recorded_results({recorded_case("a", {exact(2.5), recorded(fails.checks()[0])})}), {}, {});
+      compare(recorded_results({recorded_case("a", {exact(2.0), holds.checks()[0]})}),
+              recorded_results({recorded_case("a", {exact(2.5), fails.checks()[0]})}), {}, {});
   demand_text(table_of(comparison), {"verdict         a/same bits: true -> FAIL false; change/bound 1 of the "
                                      "reference; error/bound 0 -> inf; bound exact\n",
                                      "value           a/size: 2 lb (reference 2) -> 2.5 lb (reference 2.5); "
@@ -147,17 +148,17 @@ BOOST_AUTO_TEST_CASE(a_renamed_check_has_both_names) {
 }
 
 BOOST_AUTO_TEST_CASE(a_baseline_that_is_partial_or_failed_is_said) {
-  RecordedResults before = baseline();
-  before.source.holds = false;
-  before.source.only = {"a", "b", "c"};
+  ResultsFile before = baseline();
+  before.results.records[0].status = Status::fail;
+  before.results.only = {"a", "b", "c"};
   const Comparison comparison = compare(before, baseline(), {}, {});
   demand_text(table_of(comparison), {"quick tier; it has only the 3 cases of its --only; its own verdict is fail\n"});
   demand_text(markdown_of(comparison), {"| verdict | fail | fail |\n", "| cases named by --only | 3 | none |\n"});
 }
 
 BOOST_AUTO_TEST_CASE(nothing_compared_is_said) {
-  RecordedResults after = recorded_results({recorded_case("d", {measured("value", 1.1)})});
-  after.source.only = {"d"};
+  ResultsFile after = recorded_results({recorded_case("d", {measured("value", 1.1)})});
+  after.results.only = {"d"};
   const Comparison comparison = comparison_of(after);
   demand_text(table_of(comparison),
               {"compared     0 cases, 0 checks, 0 controls; 3 cases of the baseline not selected\n",
@@ -227,8 +228,8 @@ BOOST_AUTO_TEST_CASE(json_holds_everything) {
 }
 
 BOOST_AUTO_TEST_CASE(numbers_that_json_does_not_have_are_words) {
-  const RecordedResults before = recorded_results({recorded_case("a", {measured("value", 1.1)})});
-  const RecordedResults after =
+  const ResultsFile before = recorded_results({recorded_case("a", {measured("value", 1.1)})});
+  const ResultsFile after =
       recorded_results({recorded_case("a", {measured("value", std::numeric_limits<double>::quiet_NaN())})});
   const auto check = nlohmann::json::parse(json_of(compare(before, after, {}, {}))).at("checks").at(0);
   BOOST_TEST(check.at("after").at("measured") == "nan");

@@ -1,8 +1,6 @@
 // The driver from its command line to its exit status.
 #include "verification/driver/command.hpp"
 
-#include <unistd.h>
-
 #include <boost/test/unit_test.hpp>
 #include <cstdio>
 #include <filesystem>
@@ -12,6 +10,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "tests/temporary_folder.hpp"
 #include "tests/verification/driver/driver_run.hpp"
 #include "tests/verification/driver/synthetic_cases.hpp"
 
@@ -126,11 +125,9 @@ BOOST_AUTO_TEST_CASE(no_case_at_all_fails) {
 
 BOOST_AUTO_TEST_CASE(measurements_are_cases_beside_the_others) {
   const std::vector<Case> cases{synthetic("first", sound)};
-  const fs::path folder = fs::temp_directory_path() / ("talus_measured_" + std::to_string(::getpid()));
-  fs::create_directories(folder);
-  BOOST_TEST(Run(cases, {"--data", folder.string()}).status == 2);  // no file
-  BOOST_TEST(Run(cases, {"--data", (folder / "none").string()}).status == 4);
-  fs::remove_all(folder);
+  const Folder empty;
+  BOOST_TEST(Run(cases, {"--data", empty.path.string()}).status == 2);  // no file
+  BOOST_TEST(Run(cases, {"--data", (empty.path / "none").string()}).status == 4);
   const Run measured(cases, {"--data", TALUS_MEASURED, "--only", "rebound"});
   BOOST_TEST(measured.status == 0);
   BOOST_TEST(measured.results.at("registered") == json({"first", "rebound"}));
@@ -176,16 +173,15 @@ BOOST_AUTO_TEST_CASE(a_folder_that_cannot_be_made_is_four) {
 
 // No case runs, and no results are written; those of an earlier run remain.
 BOOST_AUTO_TEST_CASE(a_wrong_catalogue_is_two_and_one_that_is_not_there_four) {
-  const fs::path folder = fs::temp_directory_path() / ("talus_wrong_catalogue_" + std::to_string(::getpid()));
+  const Folder made;
+  const fs::path& folder = made.path;
   const std::string out = (folder / "out").string();
   const char* argv[] = {"talus_verify", "--out", out.c_str()};
   BOOST_TEST(verify({synthetic("first", sound)}, folder / "none", 3, argv) == 4);
-  fs::create_directories(folder);
   fs::copy(TALUS_CATALOGUE, folder / "wrong", fs::copy_options::recursive);
   std::ofstream(folder / "wrong" / "errata.toml", std::ios::app) << "\n[[eratum]]\n";
   BOOST_TEST(verify({synthetic("first", sound)}, folder / "wrong", 3, argv) == 2);
   BOOST_TEST(!fs::exists(out));
-  fs::remove_all(folder);
 }
 
 BOOST_AUTO_TEST_CASE(the_results_do_not_depend_on_the_number_of_jobs) {

@@ -1,13 +1,12 @@
 #pragma once
 
-#include <unistd.h>
-
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "tests/temporary_folder.hpp"
 #include "verification/check/case.hpp"
 #include "verification/driver/command.hpp"
 
@@ -18,15 +17,12 @@ inline std::string spoiled_folder;
 
 /// Runs the driver in a separate folder and stores its output.
 struct Run {
-  std::filesystem::path out;
+  Folder folder;
+  std::filesystem::path out = folder.path;
   int status = -1;
   nlohmann::json results;
 
   explicit Run(const std::vector<Case>& cases, std::vector<std::string> options = {}) {
-    static int number = 0;
-    out = std::filesystem::temp_directory_path() /
-          ("talus_driver_" + std::to_string(::getpid()) + "_" + std::to_string(++number));
-    std::filesystem::create_directories(out);
     spoiled_folder = out.string();
     options.insert(options.begin(), {"talus_verify", "--out", out.string()});
     std::vector<const char*> argv;
@@ -36,9 +32,6 @@ struct Run {
     if (std::filesystem::exists(out / "results.json"))
       results = nlohmann::json::parse(std::ifstream(out / "results.json"));
   }
-  ~Run() { std::filesystem::remove_all(out); }
-  Run(const Run&) = delete;
-  Run& operator=(const Run&) = delete;
 
   nlohmann::json record(std::size_t i = 0) const { return results.at("cases").at(i); }
   bool says(const std::string& expected, std::size_t i = 0) const {

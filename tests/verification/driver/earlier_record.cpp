@@ -1,14 +1,12 @@
 // Records of an earlier run that are not made again (--reuse).
-#include <unistd.h>
-
 #include <boost/test/unit_test.hpp>
 #include <cctype>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 #include <string>
 #include <vector>
 
+#include "tests/temporary_folder.hpp"
 #include "tests/verification/driver/driver_run.hpp"
 #include "tests/verification/driver/synthetic_cases.hpp"
 #include "verification/check/case_file.hpp"
@@ -20,21 +18,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Files of a test, in a folder that is removed at its end.
-struct Scratch {
-  fs::path folder = fs::temp_directory_path() / ("talus_reuse_" + std::to_string(::getpid()));
-  Scratch() { fs::create_directories(folder); }
-  ~Scratch() { fs::remove_all(folder); }
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-
-  void write(const std::string& name, const std::string& text) const { std::ofstream(folder / name) << text; }
+struct Scratch : Folder {
   /// Text of a file, which is then removed; empty if there is none.
   std::string take(const std::string& name) const {
-    std::ostringstream text;
-    text << std::ifstream(folder / name).rdbuf();
-    fs::remove(folder / name);
-    return text.str();
+    const std::string taken = text(name);
+    fs::remove(path / name);
+    return taken;
   }
 };
 
@@ -55,13 +44,13 @@ Case noted(const std::string& id, double full_seconds) {
 
 BOOST_AUTO_TEST_CASE(what_the_same_program_found_is_taken_over) {
   const Scratch scratch;
-  const std::string out = (scratch.folder / "out").string(), letters = "letters", data = "data";
-  spoiled_folder = (scratch.folder / letters).string();
-  scratch.write(data, "1\n");
+  const std::string out = (scratch.path / "out").string(), letters = "letters", data = "data";
+  spoiled_folder = (scratch.path / letters).string();
+  scratch.file(data, "1\n");
   const auto letters_of = [&](const Case& one, std::vector<const char*> options) {
     options.insert(options.begin(), {"talus_verify", "--out", out.c_str()});
     BOOST_TEST(
-        verify({one}, TALUS_CATALOGUE, static_cast<int>(options.size()), options.data(), {scratch.folder / data}) == 0);
+        verify({one}, TALUS_CATALOGUE, static_cast<int>(options.size()), options.data(), {scratch.path / data}) == 0);
     return scratch.take(letters);
   };
   const Case plain = noted("plain", 0.0), longer = noted("longer", 1.0);
@@ -73,7 +62,7 @@ BOOST_AUTO_TEST_CASE(what_the_same_program_found_is_taken_over) {
   BOOST_TEST(letters_of(plain, {"--full"}) == "rcf");
   BOOST_TEST(letters_of(longer, {"--full"}) == "Rcf");
   // A file that cases read has changed.
-  scratch.write(data, "2\n");
+  scratch.file(data, "2\n");
   BOOST_TEST(letters_of(plain, {"--reuse"}) == "rcf");
   BOOST_TEST(letters_of(plain, {"--reuse"}) == "");
   // The record has changed, or a file of it is missing.
@@ -89,12 +78,12 @@ BOOST_AUTO_TEST_CASE(what_the_same_program_found_is_taken_over) {
 
 BOOST_AUTO_TEST_CASE(a_failed_case_is_run_again) {
   const Scratch scratch;
-  const std::string out = (scratch.folder / "out").string();
+  const std::string out = (scratch.path / "out").string();
   const Case failing = synthetic("failing", [](Findings& f, const Setup&) {
     std::ofstream(spoiled_folder, std::ios::app) << "x";
     f.expect("value", 3.0, 1.0, Tolerance::model(0.1, "chosen"));
   });
-  spoiled_folder = (scratch.folder / "letters").string();
+  spoiled_folder = (scratch.path / "letters").string();
   const std::vector<const char*> options{"talus_verify", "--out", out.c_str(), "--reuse"};
   for (int run = 0; run < 2; ++run) {
     BOOST_TEST(verify({failing}, TALUS_CATALOGUE, 4, options.data()) == 1);
@@ -110,9 +99,9 @@ BOOST_AUTO_TEST_CASE(nothing_is_taken_over_under_another_rounding) {
 BOOST_AUTO_TEST_CASE(another_folder_of_cases_is_read) {
   const Scratch scratch;
   const fs::path before = case_file("");
-  const std::string out = (scratch.folder / "out").string(), copy = (scratch.folder / "copy").string();
+  const std::string out = (scratch.path / "out").string(), copy = (scratch.path / "copy").string();
   fs::create_directory(copy);
-  scratch.write("copy/number.txt", "3");
+  scratch.file("copy/number.txt", "3");
   const Case reading = synthetic("reading", [](Findings& f, const Setup& setup) {
     double number = 1.0;
     std::ifstream(case_file("number.txt")) >> number;
@@ -125,7 +114,7 @@ BOOST_AUTO_TEST_CASE(another_folder_of_cases_is_read) {
   BOOST_TEST(status({}) == 0);
   BOOST_TEST(status({"--inputs", copy.c_str()}) == 1);
   BOOST_TEST(scratch.take("out/results.json").find(" --inputs ") != std::string::npos);
-  scratch.write("copy/number.txt", "1");
+  scratch.file("copy/number.txt", "1");
   BOOST_TEST(status({"--inputs", copy.c_str()}) == 0);
   replace_case_folder(before);
   BOOST_TEST(status({"--reuse", "--inputs", copy.c_str()}) == 2);

@@ -5,48 +5,51 @@
 #include <vector>
 
 #include "verification/check/check.hpp"
-#include "verification/driver/recorded_results.hpp"
+#include "verification/driver/baseline.hpp"
 
 namespace talus::verification {
 
-/// A check as recorded in results.json, with its verdict.
-inline RecordedCheck recorded(const Check& check) {
-  return {check.name,  check.unit,  check.kind,   check.relative, check.measured,     check.reference,
-          check.error, check.bound, check.margin, check.pass,     check.text_measured};
-}
-
 /// A check against 1 m within `bound`: error/bound is |measured - 1| / bound.
-inline RecordedCheck measured(const std::string& name, double value, double bound = 0.5) {
-  return recorded(compare(name, value, 1.0, Tolerance::model(bound, "chosen"), "m"));
+inline Check measured(const std::string& name, double value, double bound = 0.5) {
+  return compare(name, value, 1.0, Tolerance::model(bound, "chosen"), "m");
 }
 
 /// A control that turned its check red, or did not.
-inline RecordedControl control(const std::string& name, bool pass = true) {
-  return {name, "value", pass ? Colour::red : Colour::green, Colour::green, pass ? "" : "the check stayed green", pass};
+inline Control control(const std::string& name, bool pass = true) {
+  return {.name = name,
+          .what = "a fault",
+          .turns_red = "value",
+          .observed = pass ? Colour::red : Colour::green,
+          .unplanted = Colour::green,
+          .message = pass ? "" : "the check stayed green"};
 }
 
 /// A case that took 1 s and 100 evaluations; it fails if a check or control does.
-inline RecordedCase recorded_case(const std::string& id, std::vector<RecordedCheck> checks,
-                                  std::vector<RecordedControl> controls = {}) {
-  RecordedCase c{id, "B: normal contact", {Status::pass, "", 1.0, 100}, std::move(checks), std::move(controls)};
-  for (const RecordedCheck& check : c.checks)
-    if (!check.pass) c.outcome.status = Status::fail;
-  for (const RecordedControl& each : c.controls)
-    if (!each.pass) c.outcome.status = Status::fail;
-  return c;
+inline Record recorded_case(const std::string& id, std::vector<Check> checks, std::vector<Control> controls = {}) {
+  Record record;
+  record.id = id;
+  record.family = "B: normal contact";
+  record.status = Status::pass;
+  record.seconds = 1.0;
+  record.evaluations = 100;
+  for (const Check& check : checks)
+    if (!check.pass) record.status = Status::fail;
+  for (const Control& each : controls)
+    if (!each.pass()) record.status = Status::fail;
+  record.checks = std::move(checks);
+  record.controls = std::move(controls);
+  return record;
 }
 
 /// Results of the quick tier with these cases, which are all registered ones.
-inline RecordedResults recorded_results(std::vector<RecordedCase> cases, const std::string& file = "old.json") {
-  RecordedResults results;
-  results.source.file = file;
-  results.source.holds = true;
-  for (const RecordedCase& c : cases) {
-    results.registered.push_back(c.id);
-    results.source.holds = results.source.holds && c.outcome.status == Status::pass;
+inline ResultsFile recorded_results(std::vector<Record> cases, const std::string& file = "old.json") {
+  ResultsFile recorded{file, {}};
+  for (const Record& record : cases) {
+    recorded.results.registered.push_back(record.id);
+    recorded.results.selected.push_back(record.id);
   }
-  results.cases = std::move(cases);
-  return results;
+  recorded.results.records = std::move(cases);
+  return recorded;
 }
 
 }  // namespace talus::verification

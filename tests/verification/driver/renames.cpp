@@ -3,7 +3,8 @@
 #include <boost/test/unit_test.hpp>
 
 #include "solver/base/error.hpp"
-#include "tests/verification/driver/temporary_folder.hpp"
+#include "tests/temporary_folder.hpp"
+#include "tests/verification/driver/text_parts.hpp"
 
 BOOST_AUTO_TEST_SUITE(renames_tests)
 
@@ -13,8 +14,8 @@ namespace {
 
 /// Checks that line `number` is refused by a message with FILE:number and `expected`.
 void demand_refused(const std::string& text, int number, const std::string& expected) {
-  const TemporaryFolder folder;
-  const std::string file = folder.write("renames.txt", text);
+  const Folder folder;
+  const std::string file = folder.file("renames.txt", text);
   std::string message = "it was read";
   try {
     static_cast<void>(read_renames(file));
@@ -28,15 +29,15 @@ void demand_refused(const std::string& text, int number, const std::string& expe
 }  // namespace
 
 BOOST_AUTO_TEST_CASE(each_form_is_read) {
-  const TemporaryFolder folder;
-  const auto renames = read_renames(folder.write("renames.txt",
-                                                 "# of version 2\n"
-                                                 "\n"
-                                                 "caught_fall -> damped_bungee\r\n"
-                                                 "  a/error / bound -> b/ratio of a/b  \n"
-                                                 "a/control: mass halved -> a/control: half the mass\n"
-                                                 "a/old -> -\n"
-                                                 "gone -> -"));
+  const Folder folder;
+  const auto renames = read_renames(folder.file("renames.txt",
+                                                "# of version 2\n"
+                                                "\n"
+                                                "caught_fall -> damped_bungee\r\n"
+                                                "  a/error / bound -> b/ratio of a/b  \n"
+                                                "a/control: mass halved -> a/control: half the mass\n"
+                                                "a/old -> -\n"
+                                                "gone -> -"));
   BOOST_REQUIRE(renames.size() == 5u);
   BOOST_TEST((renames[0].before == ItemName{"caught_fall", ""}));
   BOOST_TEST((renames[0].after == ItemName{"damped_bungee", ""}));
@@ -50,8 +51,8 @@ BOOST_AUTO_TEST_CASE(each_form_is_read) {
 }
 
 BOOST_AUTO_TEST_CASE(names_may_be_exchanged) {
-  const TemporaryFolder folder;
-  BOOST_TEST(read_renames(folder.write("renames.txt", "a/x -> a/y\na/y -> a/x\n")).size() == 2u);
+  const Folder folder;
+  BOOST_TEST(read_renames(folder.file("renames.txt", "a/x -> a/y\na/y -> a/x\n")).size() == 2u);
 }
 
 BOOST_AUTO_TEST_CASE(other_lines_are_refused_with_their_number) {
@@ -72,7 +73,7 @@ BOOST_AUTO_TEST_CASE(other_lines_are_refused_with_their_number) {
 }
 
 BOOST_AUTO_TEST_CASE(a_file_that_cannot_be_read_is_no_input_error) {
-  const TemporaryFolder folder;
+  const Folder folder;
   BOOST_CHECK_THROW(static_cast<void>(read_renames(folder.path / "none.txt")), talus::IoError);
   BOOST_CHECK_THROW(static_cast<void>(read_renames(folder.path)), talus::IoError);
 }

@@ -18,6 +18,7 @@
 #include <thread>
 #include <vector>
 
+#include "tests/temporary_folder.hpp"
 #include "tests/verification/driver/driver_run.hpp"
 #include "tests/verification/driver/synthetic_cases.hpp"
 
@@ -193,7 +194,8 @@ void limit_memory(std::size_t bytes) {
 // From hardly more than the driver's reserve, with which it cannot even start a case, to enough for all.
 BOOST_AUTO_TEST_CASE(a_driver_that_runs_out_of_memory_writes_its_results, *utf::enable_if<limits_memory>()) {
   const std::vector<Case> cases{synthetic("large", large_record), synthetic("sound", sound)};
-  const fs::path out = fs::temp_directory_path() / ("talus_memory_" + std::to_string(::getpid()));
+  const Folder folder;
+  const fs::path out = folder.path / "out";
   bool failed = false, passed = false;
   for (const std::size_t megabytes : {17U, 24U, 48U, 512U}) {
     fs::remove_all(out);
@@ -214,12 +216,12 @@ BOOST_AUTO_TEST_CASE(a_driver_that_runs_out_of_memory_writes_its_results, *utf::
   }
   BOOST_TEST(failed);
   BOOST_TEST(passed);
-  fs::remove_all(out);
 }
 
 // If the records fit into memory and the results do not, they are written without their largest parts.
 BOOST_AUTO_TEST_CASE(results_that_do_not_fit_into_memory_are_written_without_notes, *utf::enable_if<limits_memory>()) {
-  const fs::path out = fs::temp_directory_path() / ("talus_notes_" + std::to_string(::getpid()));
+  const Folder folder;
+  const fs::path out = folder.path / "out";
   bool shortened = false;
   for (std::size_t megabytes = 40; megabytes <= 120 && !shortened; megabytes += 4) {
     fs::remove_all(out);
@@ -240,13 +242,13 @@ BOOST_AUTO_TEST_CASE(results_that_do_not_fit_into_memory_are_written_without_not
     }
   }
   BOOST_TEST(shortened);
-  fs::remove_all(out);
 }
 
 // RLIMIT_NPROC does not apply to root: the driver then runs as user nobody, but accesses files as root, among them the
 // catalogue, which may be in root's home folder.
 BOOST_AUTO_TEST_CASE(a_case_without_a_process_fails) {
-  const fs::path out = fs::temp_directory_path() / ("talus_processes_" + std::to_string(::getpid()));
+  const Folder folder;
+  const fs::path out = folder.path / "out";
   const int status = verified_under({synthetic("sound", sound)}, out, [] {
     constexpr uid_t nobody = 65534;
     if (::geteuid() == 0) {
@@ -261,7 +263,6 @@ BOOST_AUTO_TEST_CASE(a_case_without_a_process_fails) {
   const json record = json::parse(std::ifstream(out / "results.json")).at("cases").at(0);
   BOOST_TEST(record.at("status") == "error");
   BOOST_TEST(record.at("message").get<std::string>().find("no process for the case") == 0u, record.at("message"));
-  fs::remove_all(out);
 }
 
 BOOST_AUTO_TEST_CASE(an_exit_without_record_fails) {
@@ -286,12 +287,11 @@ BOOST_AUTO_TEST_CASE(a_broken_record_fails) {
 
 BOOST_AUTO_TEST_CASE(a_record_left_from_before_does_not_count) {
   const Case leaving = synthetic("leaving", [](Findings&, const Setup&) { std::_Exit(0); });
-  const fs::path out = fs::temp_directory_path() / ("talus_stale_" + std::to_string(::getpid()));
-  const std::string folder = out.string();
-  const char* argv[] = {"talus_verify", "--out", folder.c_str()};
+  const Folder folder;
+  const fs::path out = folder.path / "out";
+  const char* argv[] = {"talus_verify", "--out", out.c_str()};
   BOOST_TEST(verify({synthetic("leaving", sound)}, TALUS_CATALOGUE, 3, argv) == 0);
   BOOST_TEST(verify({leaving}, TALUS_CATALOGUE, 3, argv) == 1);
-  fs::remove_all(out);
 }
 
 BOOST_AUTO_TEST_CASE(no_check_fails) {
