@@ -4,11 +4,9 @@
 
 #include <cstdlib>
 #include <fstream>
-#include <random>
 #include <string>
 
 namespace talus::bench {
-namespace fs = std::filesystem;
 namespace {
 
 bool answers(const char* program) {
@@ -17,23 +15,16 @@ bool answers(const char* program) {
 
 }  // namespace
 
-LammpsProgram::LammpsProgram() : there_{answers("lmp")}, has_mpi_{there_ && answers("mpirun")} {
-  folder_ = fs::temp_directory_path() / fmt::format("talus_bench_discs_{}", std::random_device{}());
-}
-
-LammpsProgram::~LammpsProgram() {
-  std::error_code ignored;
-  fs::remove_all(folder_, ignored);
-}
+LammpsProgram::LammpsProgram() : there_{answers("lmp")}, has_mpi_{there_ && answers("mpirun")} {}
 
 double LammpsProgram::seconds(const LammpsScene& scene, const LammpsRun& run, int cores) const {
-  export_lammps(folder_, scene, run);
+  export_lammps(folder_.path, scene, run);
   const std::string together =
       cores > 1 ? fmt::format("mpirun --allow-run-as-root --oversubscribe -np {} ", cores) : "";
   const std::string command =
-      fmt::format("cd '{}' && {}lmp -in in.discs > screen.txt 2>&1", folder_.string(), together);
+      fmt::format("cd '{}' && {}lmp -in in.discs > screen.txt 2>&1", folder_.path.string(), together);
   if (std::system(command.c_str()) != 0) return 0.0;
-  std::ifstream log{folder_ / "log.lammps"};
+  std::ifstream log{folder_.path / "log.lammps"};
   double seconds = 0.0;
   for (std::string line; std::getline(log, line);) {
     if (line.rfind("Loop time of ", 0) == 0) seconds = std::stod(line.substr(13));

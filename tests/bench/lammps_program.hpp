@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "solver/io/cell/lammps.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace talus::bench {
 
@@ -10,9 +11,6 @@ namespace talus::bench {
 class LammpsProgram {
  public:
   LammpsProgram();
-  ~LammpsProgram();
-  LammpsProgram(const LammpsProgram&) = delete;
-  LammpsProgram& operator=(const LammpsProgram&) = delete;
 
   bool there() const { return there_; }
   /// True if it can be run on several cores.
@@ -25,7 +23,7 @@ class LammpsProgram {
 
  private:
   bool there_, has_mpi_;
-  std::filesystem::path folder_;
+  Folder folder_;
 };
 
 }  // namespace talus::bench

@@ -12,10 +12,10 @@
 #include "solver/app/run/scene_run.hpp"
 #include "solver/app/sweep/sweep_base.hpp"
 #include "solver/base/error.hpp"
-#include "solver/io/file/atomic_file.hpp"
 #include "solver/io/read_scene_file.hpp"
 #include "solver/run/simulate.hpp"
 #include "tests/bench/timing.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace talus::bench {
 namespace {
@@ -23,19 +23,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int repetitions = 9;
-
-/// A temporary folder, removed by the destructor.
-class OwnFolder {
- public:
-  OwnFolder() : path_{fs::temp_directory_path() / fmt::format("talus-bench-{}", ::getpid())} { make_folder(path_); }
-  OwnFolder(const OwnFolder&) = delete;
-  OwnFolder& operator=(const OwnFolder&) = delete;
-  ~OwnFolder() { fs::remove_all(path_); }
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 /// The loop that a benchmark of forces measures: without observers.
 void bare(const SceneFile& file, const Dynamics& dynamics, bool ledger) {
@@ -67,7 +54,7 @@ struct Row {
 }  // namespace
 
 void print_user_run_costs() {
-  const OwnFolder folder;
+  const Folder folder;
   std::vector<Row> rows;
   std::vector<std::unique_ptr<SceneFile>> files;
   std::vector<std::unique_ptr<Dynamics>> compiled;
@@ -86,11 +73,11 @@ void print_user_run_costs() {
                       const app::SweepResult result = base.result({}, {}, [] { return false; });
                       TALUS_DEMAND(result.end == app::SweepEnd::finished);
                     }});
-    rows.push_back({name, "run --out", steps, [&] { observed(file, folder.path(), false); }});
-    if (file.fence) rows.push_back({name, "run --sheet --out", steps, [&] { observed(file, folder.path(), true); }});
+    rows.push_back({name, "run --out", steps, [&] { observed(file, folder.path, false); }});
+    if (file.fence) rows.push_back({name, "run --sheet --out", steps, [&] { observed(file, folder.path, true); }});
   }
   const std::string command = fmt::format("{} run {}/fence/table_2.toml --out {} > /dev/null", TALUS_EXECUTABLE,
-                                          TALUS_CASES, (folder.path() / "process").string());
+                                          TALUS_CASES, (folder.path / "process").string());
   const auto process = [&command] { TALUS_DEMAND(std::system(command.c_str()) == 0); };
   std::vector<Task> tasks;
   for (const Row& row : rows)

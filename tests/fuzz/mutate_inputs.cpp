@@ -20,6 +20,7 @@
 #include <thread>
 
 #include "tests/fuzz/input_campaign.hpp"
+#include "tests/temporary_folder.hpp"
 #include "verification/record/audits.hpp"
 
 /// Options of the address sanitizer: a request for more memory throws std::bad_alloc, as without it.
@@ -38,26 +39,6 @@ struct Options {
   std::string json, corpus, replay;
   std::size_t jobs{std::max(1U, std::thread::hardware_concurrency())};
   bool list{};
-};
-
-/// A folder for files of this process, removed at the end.
-class Scratch {
- public:
-  Scratch() {
-    std::string name = (fs::temp_directory_path() / "talus_inputs_XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) throw std::system_error{errno, std::generic_category(), name};
-    path_ = name;
-  }
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-  ~Scratch() {
-    std::error_code none;
-    fs::remove_all(path_, none);
-  }
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
 };
 
 /// The chosen readers, or all.
@@ -199,8 +180,8 @@ int main(int argc, char** argv) {
   describe(app, options);
   try {
     app.parse(argc, argv);
-    const Scratch scratch;
-    const std::vector<Reader> readers = chosen(all_readers(scratch.path()), options.readers);
+    const Folder scratch;
+    const std::vector<Reader> readers = chosen(all_readers(scratch.path), options.readers);
     if (options.list) {
       for (const Reader& reader : readers)
         fmt::print("{}\n", reader.name);
@@ -209,9 +190,9 @@ int main(int argc, char** argv) {
     if (!options.corpus.empty()) return write_corpus(readers, options.corpus), 0;
     if (!options.replay.empty()) {
       if (readers.size() != 1) throw CLI::ValidationError{"--replay", "it requires one name in --readers"};
-      return replay(readers.front(), options.replay, scratch.path());
+      return replay(readers.front(), options.replay, scratch.path);
     }
-    return run(readers, options, scratch.path());
+    return run(readers, options, scratch.path);
   } catch (const CLI::ParseError& wrong) {
     return app.exit(wrong) == 0 ? 0 : 2;
   } catch (const std::exception& error) {

@@ -1,7 +1,6 @@
 #include "tests/mutants/written_bugs.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
@@ -10,6 +9,7 @@
 
 #include "tests/mutants/equivalent.hpp"
 #include "tests/mutants/schemata.hpp"
+#include "tests/temporary_folder.hpp"
 #include "verification/record/whole_file.hpp"
 
 BOOST_AUTO_TEST_SUITE(written_bugs_tests)
@@ -21,16 +21,13 @@ using namespace talus::mutants;
 
 const fs::path root = TALUS_ROOT;
 
-/// A folder with one file of bugs and one source, removed at the end.
-struct Folder {
-  explicit Folder(const std::string& bugs) {
+/// One file of bugs and one source.
+struct Sources : Folder {
+  explicit Sources(const std::string& bugs) {
     fs::create_directories(path / "bugs");
-    talus::records::write_whole(path / "bugs" / "some.toml", bugs);
-    talus::records::write_whole(path / "law.hpp", "double force = k * x;\ndouble power = k * x * v + k * x * v;\n");
+    file("bugs/some.toml", bugs);
+    file("law.hpp", "double force = k * x;\ndouble power = k * x * v + k * x * v;\n");
   }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  ~Folder() { fs::remove_all(path); }
 
   [[nodiscard]] std::string refusal() const {
     try {
@@ -40,8 +37,6 @@ struct Folder {
     }
     return "";
   }
-
-  fs::path path = fs::temp_directory_path() / fmt::format("talus_written_bugs_{}", static_cast<int>(::getpid()));
 };
 
 std::string table(const std::string& id, const std::string& old, const std::string& more = "") {
@@ -78,7 +73,7 @@ BOOST_AUTO_TEST_CASE(every_bug_applies_and_names_cases) {
 }
 
 BOOST_AUTO_TEST_CASE(a_bug_is_found_in_its_file) {
-  const Folder folder(table("no_stiffness", "k * x;", "cases = ['column']\n"));
+  const Sources folder(table("no_stiffness", "k * x;", "cases = ['column']\n"));
   const auto bugs = written_bugs(folder.path / "bugs", folder.path);
   BOOST_REQUIRE(bugs.size() == 1u);
   BOOST_TEST(bugs[0].edits[0].begin == 15u);
@@ -88,14 +83,14 @@ BOOST_AUTO_TEST_CASE(a_bug_is_found_in_its_file) {
 
 BOOST_AUTO_TEST_CASE(what_does_not_apply_is_refused_with_its_line) {
   const std::string cases = "cases = ['column']\n";
-  BOOST_TEST(holds(Folder(table("a", "k * y", cases)).refusal(), "some.toml:1: law.hpp does not hold 'old'"));
+  BOOST_TEST(holds(Sources(table("a", "k * y", cases)).refusal(), "some.toml:1: law.hpp does not hold 'old'"));
   BOOST_TEST(
-      holds(Folder(table("a", "k * x * v", cases)).refusal(), "some.toml:1: law.hpp holds 'old' more than once"));
-  BOOST_TEST(holds(Folder(table("a", "k * x;")).refusal(), "some.toml:1: cases is missing"));
+      holds(Sources(table("a", "k * x * v", cases)).refusal(), "some.toml:1: law.hpp holds 'old' more than once"));
+  BOOST_TEST(holds(Sources(table("a", "k * x;")).refusal(), "some.toml:1: cases is missing"));
   BOOST_TEST(
-      holds(Folder(table("a", "k * x;", cases + "case = 1\n")).refusal(), "key 'case' is not known; allowed: id"));
-  BOOST_TEST(holds(Folder(table("a", "k * x;", cases) + table("a", "k * x;", cases)).refusal(), "'a' is used twice"));
-  BOOST_TEST(holds(Folder("[[bug]\n").refusal(), "some.toml:1:"));
+      holds(Sources(table("a", "k * x;", cases + "case = 1\n")).refusal(), "key 'case' is not known; allowed: id"));
+  BOOST_TEST(holds(Sources(table("a", "k * x;", cases) + table("a", "k * x;", cases)).refusal(), "'a' is used twice"));
+  BOOST_TEST(holds(Sources("[[bug]\n").refusal(), "some.toml:1:"));
 }
 
 BOOST_AUTO_TEST_CASE(every_equivalent_mutant_has_its_line_and_a_reason) {

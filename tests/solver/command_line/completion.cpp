@@ -6,9 +6,10 @@
 #include <boost/test/unit_test.hpp>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <string>
 #include <vector>
+
+#include "tests/temporary_folder.hpp"
 
 BOOST_AUTO_TEST_SUITE(completion_tests)
 
@@ -42,8 +43,8 @@ struct Program {
 /// What bash offers for the last word typed after `prog`.
 std::string offered(const std::vector<std::string>& typed) {
   const Program program;
-  const fs::path file = fs::temp_directory_path() / "talus_completion_test.bash";
-  std::ofstream(file) << completion(program.app, Shell::bash);
+  const Folder folder;
+  const fs::path file = folder.file("completion.bash", completion(program.app, Shell::bash));
   std::string given;
   for (const std::string& word : typed)
     given += " '" + word + "'";
@@ -56,7 +57,6 @@ std::string offered(const std::vector<std::string>& typed) {
   for (int c = std::fgetc(output); c != EOF; c = std::fgetc(output))
     printed += static_cast<char>(c);
   BOOST_TEST(::pclose(output) == 0);
-  fs::remove(file);
   return printed;
 }
 

@@ -13,6 +13,7 @@
 #include "solver/base/error.hpp"
 #include "solver/granular/disc_system.hpp"
 #include "solver/integrate/velocity_verlet.hpp"
+#include "tests/temporary_folder.hpp"
 
 BOOST_AUTO_TEST_SUITE(lammps_tests)
 
@@ -59,7 +60,8 @@ struct Answer {
 };
 
 Answer lammps(const LammpsScene& given, LammpsRun::Style style, bool newton, double h = step, long count = steps) {
-  const fs::path folder = fs::temp_directory_path() / ("talus_lammps_" + std::to_string(std::random_device{}()));
+  const Folder made;
+  const fs::path& folder = made.path;
   export_lammps(folder, given, {.step = h, .steps = count, .skin = 0.6, .style = style, .newton = newton});
   // Alone, without the daemon of Open MPI, whose start takes seconds where a service that it looks for does not answer.
   const std::string command =
@@ -82,7 +84,6 @@ Answer lammps(const LammpsScene& given, LammpsRun::Style style, bool newton, dou
     if (within && std::istringstream{line} >> at >> energy) answer.energies.push_back(energy);
     if (line.rfind("Step", 0) == 0) within = true, answer.energies.clear();
   }
-  fs::remove_all(folder);
   return answer;
 }
 
