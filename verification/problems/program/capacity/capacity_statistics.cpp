@@ -212,6 +212,18 @@ void check_coverage(Findings& findings, const Setup& setup) {
 
   check_nodes(findings);
 
+  // Between two values of a sample, or at one.
+  double between = 0.0;
+  for (const int n : {4, 20, 21}) {
+    std::vector<double> sample;
+    for (int i = n; i > 0; --i)
+      sample.push_back(i);
+    for (const double probability : {0.5, 0.95})
+      keep_worst(between, sample_quantile(sample, probability).value - (1.0 + probability * (n - 1.0)));
+  }
+  findings.expect("quantiles: of the whole numbers 1 to n, largest deviation from 1 + p (n - 1)", between, 0.0,
+                  Tolerance::round_off(1e-14, "two products and a sum of at most 21"));
+
   double of_quantiles = 0.0;
   for (const auto& [n, probability] : {std::pair{60, 0.5}, std::pair{200, 0.95}}) {
     int covered = 0;

@@ -180,8 +180,8 @@ std::string printed_range(const Json& range, double unit) {
 void check_ends(const Program& program, Differences& differ) {
   const double energy = breaking_energy(program.setup());
   program.write("fence.toml", fence(guided));
-  const auto boundary = [&](const std::string& name, const char* low, const char* high) {
-    std::string text = question(8, "");
+  const auto boundary = [&](const std::string& name, const char* low, const char* high, int cells = 8) {
+    std::string text = question(cells, "");
     text.replace(text.find("2 m/s"), 5, low);
     text.replace(text.find("12 m/s"), 6, high);
     program.write(name + ".toml", text);
@@ -220,6 +220,15 @@ void check_ends(const Program& program, Differences& differ) {
     at_lowest += last == lowest ? 1 : 0;
   }
   differ.compare("masses that are stopped at the lowest speed alone", at_lowest, std::size_t{1});
+  // The cable breaks by the lightest mass at 10 m/s, half a cell below the highest speed.
+  for (const Json& line : boundary("highest", "6.5 m/s", "10.5 m/s", 4)) {
+    const bool is_lightest = std::abs(line.at("mass").get<double>() - 100.0) < 1e-9;
+    differ.compare("a mass that is stopped up to the last speed but one", line.at("speed").at(0) == Json(9.5),
+                   is_lightest);
+    if (!is_lightest) continue;
+    differ.holds("speed at which alone a mass is not stopped", line.at("speed").at(1) == Json(10.5));
+    differ.holds("its runs beyond the boundary", !line.at("not_stopped").is_null());
+  }
 }
 
 /// Rocks whose centre is 0.25 m above the column: the lightest, whose radius is 0.238 m, pass over it at any energy.

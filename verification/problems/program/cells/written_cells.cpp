@@ -115,6 +115,8 @@ seed = 3
                        plan("velocity_verlet", 2e-7,
                             "jump = \"off\"\nimages = \"nearest\"\nhistorical = \"off\"\npictures = \"on\"\n"),
                    of_block});
+  Members of_block_to_the_left = of_block;
+  of_block_to_the_left["impact_speed"] = number_of(5.0 / 4.0);
   Members of_rows = of_load;  // the speed of rows past each other: 3 rows between base and block
   of_rows["impact_speed"] = number_of(5.0 / 4.0);
   cells.push_back({"title = \"Spheres\"\n" + head +
@@ -126,6 +128,14 @@ seed = 3
                        plan("central_difference", 2e-7,
                             "jump = \"off\"\nimages = \"nearest\"\nhistorical = \"off\"\npictures = \"on\"\n"),
                    of_rows});
+  std::string to_the_left = head;  // for the speed of impacts, the direction of the block does not count
+  to_the_left.replace(to_the_left.find("\"5 m/s"), 6, "\"-5 m/s");
+  cells.push_back({"title = \"To the left\"\n" + to_the_left + heavy +
+                       "law = \"hertz\"\nmodulus = \"6.5e8 N/m^2\"\nradius = \"0.0003 m\"\ndamping = \"0.03 N s/m\"\n"
+                       "end_rule = \"clamped\"\ndashpot = \"constant\"\n" +
+                       plan("velocity_verlet", 2e-7,
+                            "jump = \"off\"\nimages = \"nearest\"\nhistorical = \"off\"\npictures = \"off\"\n"),
+                   of_block_to_the_left});
   cells.push_back({"title = \"Hunt and Crossley\"\n" + head + stiff +
                        fmt::format("overburden = \"{} N/m^2\"\nlaw = \"hunt_crossley\"\n"
                                    "reference_overlap = \"4e-6 m\"\nexponent = 1.5\nhysteresis = \"0.4 s/m\"\n",

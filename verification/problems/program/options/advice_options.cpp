@@ -195,6 +195,18 @@ void check_advised_scenes(const Program& program, Differences& differ) {
   differ.compare("advise: evaluations of an advised fence with step control",
                  program.json({"run", "controlled.toml", "--json"}).at("evaluations"),
                  controlled.at("advice").at("evaluations"));
+  // A run that ends when its rock has passed: trials end there, too.
+  program.write("exit.toml", deck + "\n[fence.options]\nend = \"exit\"\nexit_x = \"2.19 ft\"\n");
+  const auto evaluations = [&](const char* file, const char* out) {
+    const Json found = program.json(
+        {"advise", file, "--accuracy", "1e-3", "--of", "energy.kinetic.max", "--among", "rk4", "--out", out, "--json"});
+    const Json run = program.json({"run", out, "--json"});
+    differ.compare("advise: evaluations of an advised fence that ends by exit", run.at("evaluations"),
+                   found.at("advice").at("evaluations"));
+    return run.at("evaluations").get<long>();
+  };
+  differ.holds("advise: a fence that ends by exit needs fewer evaluations",
+               evaluations("exit.toml", "exited.toml") < evaluations("kicked.toml", "ended.toml"));
   // The lowest velocity is -A omega, once in the run; outputs need only resolve it.
   const ProgramEnd minimum = program.end({"advise", "plain.toml", "--accuracy", "1e-2", "--of", "hung.vy.min",
                                           "--among", "stormer_cowell", "--out", "lowest.toml", "--json"});
