@@ -15,7 +15,7 @@
 #include <fstream>
 #include <functional>
 #include <map>
-#include <mutex>
+#include <optional>
 #include <regex>
 #include <set>
 #include <sstream>
@@ -25,10 +25,13 @@
 
 #include "reports/base/process.hpp"
 #include "solver/base/progress.hpp"
+#include "solver/io/output/checkpoint.hpp"
 #include "solver/threads/parallel_for.hpp"
 #include "tests/interface/known_gaps.hpp"
+#include "tests/interface/tried_items.hpp"
 #include "verification/check/findings.hpp"
 #include "verification/driver/case_list.hpp"
+#include "verification/driver/earlier_record.hpp"
 #include "verification/record/interface.hpp"
 #include "verification/record/whole_file.hpp"
 
@@ -43,7 +46,6 @@ struct Options {
   fs::path out = "build/interface/interface.json";
   unsigned jobs = std::max(1U, std::thread::hardware_concurrency());
   std::filesystem::path known;
-  bool resume{};
   std::vector<std::string> cases{TALUS_PROGRAM_CASES}, only;
 };
 
@@ -195,34 +197,13 @@ bool is_used(const std::string& field, const std::set<std::string>& used) {
   return next != used.end() && (*next == field || next->starts_with(field + "."));
 }
 
-/// The items that were tried so far, in a file beside the results: an audit takes more than an hour.
-class TriedItems {
- public:
-  TriedItems(fs::path file, bool resume) : file_{std::move(file)} {
-    if (resume && fs::exists(file_)) items_ = records::read_interface(file_);
-  }
-
-  /// Takes over the outcome of an item from a stopped audit; false if there is none.
-  bool take(records::InterfaceItem& item) const {
-    const auto same = [&](const records::InterfaceItem& tried) { return logged(tried) == logged(item); };
-    const auto found = std::ranges::find_if(items_, same);
-    if (found == items_.end()) return false;
-    item = *found;
-    return true;
-  }
-  /// Also by several threads at once.
-  void add(const records::InterfaceItem& item) {
-    const std::lock_guard<std::mutex> lock{mutex_};
-    items_.push_back(item);
-    records::write_interface(items_, file_);
-  }
-  void remove() const { fs::remove(file_); }
-
- private:
-  fs::path file_;
-  std::vector<records::InterfaceItem> items_;
-  std::mutex mutex_;
-};
+/// Names the programs and cases of an audit.
+std::string subject_of(const std::vector<Case>& cases) {
+  std::string text = verification::program_fingerprint({TALUS_BUILT_PROGRAM, TALUS_INTERFACE_TALUS});
+  for (const Case& one : cases)
+    text += " " + one.id;
+  return fnv1a(text);
+}
 
 int run(const Options& options) {
   std::vector<Case> cases;
@@ -261,14 +242,15 @@ int run(const Options& options) {
     for (const std::size_t i : by)
       items.back().cases.push_back(cases[i].id);
   }
-  TriedItems tried_items{options.out.string() + ".part", options.resume};
-  std::vector<std::size_t> left;
+  std::optional<TriedItems> kept;  // of a whole audit
+  if (options.only.empty()) kept.emplace(options.out, subject_of(cases));
+  std::vector<std::size_t> remaining;
   for (std::size_t i = 0; i < items.size(); ++i)
-    if (!tried_items.take(items[i])) left.push_back(i);
+    if (!kept || !kept->find(items[i])) remaining.push_back(i);
   Progress progress;
-  std::atomic<std::size_t> done{items.size() - left.size()};
-  parallel_for(left.size(), options.jobs, [&](std::size_t number) {
-    const std::size_t i = left[number];
+  std::atomic<std::size_t> done{items.size() - remaining.size()};
+  parallel_for(remaining.size(), options.jobs, [&](std::size_t number) {
+    const std::size_t i = remaining[number];
     records::InterfaceItem& item = items[i];
     item.status = InterfaceStatus::unchanged;
     for (const std::size_t at : users.at(logged(item))) {
@@ -284,7 +266,7 @@ int run(const Options& options) {
       item.killed_by = cases[at].id, item.check = trial.check;
       if (!refused) break;
     }
-    tried_items.add(item);
+    if (kept) kept->add(item);
     const std::size_t count = ++done;
     if (progress.due()) progress.show(fmt::format("{} of {} items", count, items.size()));
   });
@@ -298,7 +280,7 @@ int run(const Options& options) {
     }
   }
   records::write_interface(items, options.out);
-  tried_items.remove();
+  if (kept) kept->remove();
   fs::remove_all(scratch);
 
   std::map<InterfaceStatus, std::size_t> counts;
@@ -337,8 +319,6 @@ int main(int argc, char** argv) {
   app.add_option("--known", options.known,
                  "Known gaps of a whole audit: fail if others are found, or one of them is none any more")
       ->check(CLI::ExistingFile);
-  app.add_flag("--resume", options.resume,
-               "Items that a stopped audit of the same program has tried (OUT.part) are not tried again");
   app.add_option("--cases", options.cases, "Cases that start the program: ID[,ID...]")
       ->capture_default_str()
       ->delimiter(',');
