@@ -1,7 +1,5 @@
 #pragma once
 
-#include <filesystem>
-
 #include "solver/io/cell/lammps.hpp"
 #include "tests/temporary_folder.hpp"
 

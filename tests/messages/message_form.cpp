@@ -31,7 +31,7 @@ std::string form_of(const std::string& line) {
   // The position: segments that end in ": ", up to one of the words with which a message begins.
   static const std::regex location{
       R"(^(?:(?:[^;:]|:(?=[0-9]))*: )+?(?=(?:found|it|its|this|give|given|possible|the|a|an|no|not|neither|there|is)"
-      R"(|several|none) |contact by |[0-9]+ of [0-9]+ runs |run [0-9a-f]+ has |'\.\.\.' (?:and '|is ))"
+      R"(|several|none|must) |contact by |[0-9]+ of [0-9]+ runs |run [0-9a-f]+ has |'\.\.\.' (?:and '|is |occurs ))"
       R"(|[a-z ]+ '\.\.\.' (?:is|was|exists|belongs)|[0-9]+ cables end|line [0-9]+ joins|history [0-9]))"};
   static const std::regex lists{R"((nearest|known|recorded|recorded for|allowed are|known pairs): [^;]*)"};
   static const std::regex parser{

@@ -215,7 +215,7 @@ BOOST_AUTO_TEST_CASE(records_that_are_wrong) {
          ".verdict: must be one of stopped, undecided"},
         {replaced(good, "\"travel\": 0.3048", "\"far\": 1"), ".rocks[0].travel: is missing"},
         {replaced(good, "\"margin\": 0.0", "\"margin\": \"inf\""), ".margin: must be a finite"},
-        {std::string{"{"}, ": truncated or not JSON"}}) {
+        {std::string{"{"}, ": is truncated or not JSON"}}) {
     write_whole(file, text);
     const Finished refused = run({TALUS_REPORT_PROGRAM, {"--sheet", scratch.path.string()}, {}, {}});
     BOOST_TEST(refused.status == 2);

@@ -34,7 +34,7 @@ ResultsSource source_of(const ResultsFile& given) {
 
 /// The compared cases.
 struct Scope {
-  const std::vector<std::string>& run;       ///< ResultsSource::only of the new results.
+  const std::vector<std::string>& run;       ///< Results::only of the new results.
   const std::vector<std::string>& compared;  ///< Allowance::only.
 
   [[nodiscard]] bool has(const std::string& id) const {
@@ -70,14 +70,20 @@ class Targets {
 };
 
 template <class T>
-using Items = std::vector<std::pair<ItemName, T>>;
+using Items = std::vector<std::pair<ItemName, const T*>>;
 
-Items<CaseOutcome> cases_of(const Results& results) {
+std::vector<CaseOutcome> outcomes_of(const Results& results) {
+  std::vector<CaseOutcome> outcomes;
+  for (const Record& record : results.records)
+    outcomes.push_back({record.status, record.message, record.seconds, record.evaluations});
+  return outcomes;
+}
+
+/// `outcomes`: those of the results.
+Items<CaseOutcome> cases_of(const Results& results, const std::vector<CaseOutcome>& outcomes) {
   Items<CaseOutcome> items;
-  for (const Record& record : results.records) {
-    items.emplace_back(ItemName{record.id, ""},
-                       CaseOutcome{record.status, record.message, record.seconds, record.evaluations});
-  }
+  for (std::size_t i = 0; i < outcomes.size(); ++i)
+    items.emplace_back(ItemName{results.records[i].id, ""}, &outcomes[i]);
   return items;
 }
 
@@ -85,7 +91,7 @@ Items<Check> checks_of(const Results& results) {
   Items<Check> items;
   for (const Record& record : results.records) {
     for (const Check& check : record.checks)
-      items.emplace_back(ItemName{record.id, check.name}, check);
+      items.emplace_back(ItemName{record.id, check.name}, &check);
   }
   return items;
 }
@@ -94,7 +100,7 @@ Items<Control> controls_of(const Results& results) {
   Items<Control> items;
   for (const Record& record : results.records) {
     for (const Control& control : record.controls)
-      items.emplace_back(ItemName{record.id, control_item(control.name)}, control);
+      items.emplace_back(ItemName{record.id, control_item(control.name)}, &control);
   }
   return items;
 }
@@ -109,7 +115,7 @@ std::vector<Changed> paired(const Items<T>& before, const Items<T>& after, const
     index.emplace(after[i].first, i);
     now[i].name = after[i].first;
     now[i].presence = Presence::added;
-    now[i].after = after[i].second;
+    now[i].after = *after[i].second;
   }
   for (const int rank : {2, 1, 0}) {
     for (const auto& [name, value] : before) {
@@ -118,7 +124,7 @@ std::vector<Changed> paired(const Items<T>& before, const Items<T>& after, const
       const auto found = target.name ? index.find(*target.name) : index.end();
       const bool is_free = found != index.end() && now[found->second].presence == Presence::added;
       Changed& change = is_free ? now[found->second] : lost.emplace_back();
-      change.before = value;
+      change.before = *value;
       change.presence = is_free ? Presence::both : target.name ? Presence::gone : Presence::removed;
       if (!is_free) change.name = name;
       if (is_free && name != *target.name) change.renamed_from = name;
@@ -283,16 +289,18 @@ double change_scale(const Check& before) {
   return before.relative ? before.bound * std::abs(before.reference) : before.bound;
 }
 
-Comparison compare(const ResultsFile& old, const ResultsFile& now, const Allowance& allowance,
+Comparison compare(const ResultsFile& before_file, const ResultsFile& after_file, const Allowance& allowance,
                    const std::vector<Renaming>& renames) {
-  const Results &before = old.results, &after = now.results;
+  const Results &before = before_file.results, &after = after_file.results;
   const Targets targets(renames);
   const Scope scope{after.only, allowance.only};
   Comparison comparison;
-  comparison.before = source_of(old);
-  comparison.after = source_of(now);
+  comparison.before = source_of(before_file);
+  comparison.after = source_of(after_file);
   comparison.allowance = allowance;
-  comparison.cases = paired<CaseChange>(cases_of(before), cases_of(after), targets, scope);
+  const std::vector<CaseOutcome> outcomes_before = outcomes_of(before), outcomes_after = outcomes_of(after);
+  comparison.cases =
+      paired<CaseChange>(cases_of(before, outcomes_before), cases_of(after, outcomes_after), targets, scope);
   comparison.checks = paired<CheckChange>(checks_of(before), checks_of(after), targets, scope);
   comparison.controls = paired<ControlChange>(controls_of(before), controls_of(after), targets, scope);
   for (const Record& record : before.records) {
@@ -315,7 +323,7 @@ Comparison compare(const ResultsFile& old, const ResultsFile& now, const Allowan
     if (const auto found = checks.find(id); found != checks.end()) change.checks_gone = found->second;
     if (const auto found = controls.find(id); found != controls.end()) change.controls_gone = found->second;
   }
-  comparison.renaming_errors = renaming_errors_of(renames, now, scope);
+  comparison.renaming_errors = renaming_errors_of(renames, after_file, scope);
   return comparison;
 }
 

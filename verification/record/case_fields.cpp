@@ -12,6 +12,7 @@ void demand_sound(const Node& node, const Record& record) {
     static_cast<void>(node.at("page").nonempty_text());
   }
   demand_distinct_names(node, "checks", record.checks);
+  demand_distinct_names(node, "controls", record.controls);
   demand_distinct_names(node, "figures", record.figures);
   demand_distinct_names(node, "tables", record.tables);
   for (const Check& check : record.checks) {

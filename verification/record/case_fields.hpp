@@ -12,7 +12,8 @@
 
 namespace talus::records {
 
-/// The version of record.json and results.json.
+/// The version of record.json and results.json. Results of earlier programs are baselines, so that a new field must be
+/// optional (value_if) within a version.
 inline constexpr int schema = 1;
 
 void fields(auto& f, Like<Check> auto& check) {

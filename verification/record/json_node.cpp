@@ -15,12 +15,12 @@ namespace talus::records {
 
 Json read_json(const std::filesystem::path& file) {
   const std::string text = read_whole(file);
-  if (text.empty()) throw RecordError(file.string() + ": is empty");
+  if (text.empty()) throw RecordError(file.string() + ": is empty; give a file that Talus wrote");
   demand_shallow_json(text, file);
   try {
     return Json::parse(text);
   } catch (const Json::exception& fault) {
-    throw RecordError(fmt::format("{}: truncated or not JSON: {}", file.string(), json_fault(fault)));
+    throw RecordError(fmt::format("{}: is truncated or not JSON: {}", file.string(), json_fault(fault)));
   }
 }
 

@@ -218,7 +218,14 @@ BOOST_AUTO_TEST_CASE(a_baseline_that_cannot_be_read_runs_nothing) {
   BOOST_TEST(status(baseline.folder.file("verdict.json", wrong.dump())) == 2);
   wrong = json::parse(baseline.folder.text("old/results.json"));
   wrong["cases"][0]["checks"][0]["measured"] = "1.0";
-  BOOST_TEST(status(baseline.folder.file("text.json", wrong.dump())) == 2);
+  BOOST_TEST(status(baseline.folder.file("measured.json", wrong.dump())) == 2);
+  for (const char* const list : {"checks", "controls"}) {
+    wrong = json::parse(baseline.folder.text("old/results.json"));
+    json& twice = wrong["cases"][0][list];
+    twice.push_back(twice[0]);
+    ++wrong["counts"][list].get_ref<json::number_unsigned_t&>();
+    BOOST_TEST(status(baseline.folder.file("twice.json", wrong.dump())) == 2, list);
+  }
   BOOST_TEST(baseline.against(same, {"--renamed", baseline.file + ".none"}) == 4);
   BOOST_TEST(!std::filesystem::exists(baseline.out));
 }

@@ -18,6 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// A folder whose files can be taken out.
 struct Scratch : Folder {
   /// Text of a file, which is then removed; empty if there is none.
   std::string take(const std::string& name) const {

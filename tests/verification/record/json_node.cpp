@@ -115,8 +115,8 @@ BOOST_AUTO_TEST_CASE(files_that_are_no_json_are_refused) {
   };
   BOOST_TEST(read("{\"a\": 1}") == "");
   BOOST_TEST(holds(read(""), "a.json: is empty"));
-  BOOST_TEST(holds(read("{\"a\": 1"), "a.json: truncated or not JSON: "));
-  BOOST_TEST(holds(read("{\"a\": 1e999}"), "a.json: truncated or not JSON: "));
+  BOOST_TEST(holds(read("{\"a\": 1"), "a.json: is truncated or not JSON: "));
+  BOOST_TEST(holds(read("{\"a\": 1e999}"), "a.json: is truncated or not JSON: "));
   BOOST_TEST(holds(error_message([&] { (void)read_json(folder.path / "none"); }), "No such file or directory"));
 }
 

@@ -243,7 +243,7 @@ BOOST_AUTO_TEST_CASE(missing_empty_and_truncated_records_are_refused) {
   const std::string text = read_whole(folder.path / "record.json");
   for (const std::size_t length : {std::size_t{1}, text.size() / 2, text.size() - 3}) {
     folder.file("record.json", text.substr(0, length));
-    BOOST_TEST(holds(refused(folder), "record.json: truncated or not JSON: "));
+    BOOST_TEST(holds(refused(folder), "record.json: is truncated or not JSON: "));
   }
 }
 

@@ -128,7 +128,7 @@ BOOST_AUTO_TEST_CASE(errors_name_file_and_path) {
   BOOST_TEST(holds(refused([](Json& d) { d["cases"][0]["tables"][0]["rows"][0].erase(0); }), "has 3 cells"));
   const Folder folder;
   BOOST_TEST(holds(error_message([&] { (void)read_results(folder.file("results.json", "{\"schema\": 1,")); }),
-                   "results.json: truncated or not JSON"));
+                   "results.json: is truncated or not JSON"));
   BOOST_CHECK_THROW((void)read_results(folder.path / "none.json"), FileError);
 }
 

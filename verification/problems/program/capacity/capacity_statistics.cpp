@@ -212,7 +212,7 @@ void check_coverage(Findings& findings, const Setup& setup) {
 
   check_nodes(findings);
 
-  // Between two values of a sample, or at one.
+  // The quantile is a value of the sample, or lies between two of them.
   double between = 0.0;
   for (const int n : {4, 20, 21}) {
     std::vector<double> sample;

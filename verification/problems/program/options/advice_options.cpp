@@ -201,11 +201,11 @@ void check_advised_scenes(const Program& program, Differences& differ) {
     const Json found = program.json(
         {"advise", file, "--accuracy", "1e-3", "--of", "energy.kinetic.max", "--among", "rk4", "--out", out, "--json"});
     const Json run = program.json({"run", out, "--json"});
-    differ.compare("advise: evaluations of an advised fence that ends by exit", run.at("evaluations"),
+    differ.compare(fmt::format("advise: evaluations of the advised scene of {}", file), run.at("evaluations"),
                    found.at("advice").at("evaluations"));
     return run.at("evaluations").get<long>();
   };
-  differ.holds("advise: a fence that ends by exit needs fewer evaluations",
+  differ.holds("advise: the rock passes before the last step",
                evaluations("exit.toml", "exited.toml") < evaluations("kicked.toml", "ended.toml"));
   // The lowest velocity is -A omega, once in the run; outputs need only resolve it.
   const ProgramEnd minimum = program.end({"advise", "plain.toml", "--accuracy", "1e-2", "--of", "hung.vy.min",
