@@ -21,9 +21,8 @@ TriedItems::TriedItems(const fs::path& results, const std::string& subject)
 }
 
 bool TriedItems::find(records::InterfaceItem& item) const {
-  const auto found = std::ranges::find_if(items_, [&](const records::InterfaceItem& tried) {
-    return tried.kind == item.kind && tried.name == item.name;
-  });
+  const auto found = std::ranges::find_if(
+      items_, [&](const records::InterfaceItem& tried) { return tried.kind == item.kind && tried.name == item.name; });
   if (found == items_.end()) return false;
   item = *found;
   return true;

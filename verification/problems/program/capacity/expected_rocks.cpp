@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <boost/math/distributions/binomial.hpp>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -11,6 +14,7 @@
 #include "verification/problems/program/capacity/one_column.hpp"
 #include "verification/record/csv.hpp"
 #include "verification/record/json_node.hpp"
+#include "verification/study/findings/expectations.hpp"
 
 namespace talus::verification::problems::fence_capacity {
 namespace {
@@ -19,6 +23,23 @@ using records::Json;
 
 /// Standard normal numbers at 95 % and 99 %.
 constexpr double z95 = 1.6448536269514722, z99 = 2.3263478740408408;
+
+/// Worst relative deviation of a quantile of runs, and of the ends of its interval, from those of their sorted values:
+/// the number of values below the quantile is binomial, and each tail has at most 2.5 %.
+double quantile_error(const Json& found, const std::vector<double>& sorted, double probability) {
+  const double rank = probability * static_cast<double>(sorted.size() - 1);
+  const auto below = static_cast<std::size_t>(rank);
+  const boost::math::binomial_distribution<double> number{static_cast<double>(sorted.size()), probability};
+  double worst = 0.0;
+  const auto compare = [&](const Json& value, double exact) {
+    keep_worst(worst, (value.get<double>() - exact) / (std::abs(exact) + 1e-300));
+  };
+  compare(found.at("value"),
+          std::lerp(sorted[below], sorted[std::min(below + 1, sorted.size() - 1)], rank - static_cast<double>(below)));
+  compare(found.at("interval").at(0), sorted[static_cast<std::size_t>(boost::math::quantile(number, 0.025))]);
+  compare(found.at("interval").at(1), sorted[static_cast<std::size_t>(boost::math::quantile(number, 0.975))]);
+  return worst;
+}
 
 }  // namespace
 
@@ -33,7 +54,9 @@ void check_hazard(const Program& program, Findings& findings, Differences& diffe
                 question(4, fmt::format("[hazard]\nmass = \"200 kg\"\nspeed = {{ p95 = \"9 m/s\", p99 = \"12 m/s\" }}\n"
                                         "height = \"4.5 m\"\nruns = {}\n",
                                         runs)));
-  const Json found = program.json({"capacity", "hazard.toml"}, {{"--no-plots", {}}, {"--json", {}}}).at("hazard");
+  const Json printed = program.json({"capacity", "hazard.toml"}, {{"--no-plots", {}}, {"--json", {}}}),
+             &found = printed.at("hazard");
+  differ.holds("printed JSON of expected rocks", program.file("hazard/capacity.json") == printed);
   const double probability = found.at("probability_of_failure").get<double>();
   findings.expect("expected rocks: probability of failure, deviation from the closed form",
                   (probability - exact) / std::sqrt(exact * (1.0 - exact) / runs), 0.0,
@@ -59,7 +82,7 @@ void check_hazard(const Program& program, Findings& findings, Differences& diffe
                std::abs(forces.at("p95").at("value").get<double>() / strength - 1.0) < 0.01);
 }
 
-void check_drawn_rocks(const Program& program, Differences& differ) {
+void check_drawn_rocks(const Program& program, Findings& findings, Differences& differ) {
   constexpr int runs = 400;
   program.write("fence.toml", fence(guided));
   program.write("drawn.toml",
@@ -78,14 +101,40 @@ void check_drawn_rocks(const Program& program, Differences& differ) {
   const auto add = [&](std::size_t of, double value, double p95, double p99) {
     numbers[of].push_back(z95 + (z99 - z95) * std::log(value / p95) / std::log(p99 / p95));
   };
+  std::map<std::string, int> ends;
+  std::map<std::string, std::vector<double>> outputs;
   for (std::size_t row = 0; row < results.rows(); ++row) {
     const double height = results.number(row, "fence.rock[0].position[1] [m]") - ground_top;
     if (std::abs(height + ground_top) < 1e-9) continue;  // a rock of the map
+    std::string end{results.cell(row, "verdict")};
+    std::ranges::replace(end, ' ', '_');
+    ++ends[end];
+    for (const auto& [output, column] : {std::pair{"fence.anchor_force", "fence.anchor_force [N]"},
+                                         std::pair{"fence.cable_force", "fence.cable_force [N]"},
+                                         std::pair{"fence.hanger_force", "fence.hanger_force [N]"},
+                                         std::pair{"fence.cable_margin", "fence.cable_margin"},
+                                         std::pair{"fence.exit_energy", "fence.exit_energy [N m]"}})
+      outputs[output].push_back(results.number(row, column));
     add(0, results.number(row, "fence.rock[0].mass [kg]"), 300.0, 400.0);
     add(1, -results.number(row, "fence.rock[0].velocity[0] [m/s]"), 9.0, 12.0);
     add(2, height, 4.6, 4.7);
   }
   differ.compare("drawn rocks", numbers[0].size(), std::size_t{runs});
+  const Json hazard = program.file("drawn/capacity.json").at("hazard");
+  for (const auto& [end, count] : hazard.at("ends").items())
+    differ.compare("ends of expected rocks: " + end, count.get<int>(), ends[end]);
+  double quantiles = 0.0;
+  for (auto& [output, values] : outputs) {
+    std::ranges::sort(values);
+    const Json& of = hazard.at("outputs").at(output);
+    differ.compare("runs of expected rocks: " + output, of.at("runs").get<std::size_t>(), values.size());
+    keep_worst(quantiles, quantile_error(of.at("median"), values, 0.5));
+    keep_worst(quantiles, quantile_error(of.at("p95"), values, 0.95));
+  }
+  findings.expect(
+      "expected rocks: quantiles of forces and energies, and their intervals, over those of the rows of "
+      "the runs, largest deviation from 1",
+      quantiles, 0.0, Tolerance::round_off(1e-14, "numbers with all digits; two products and a sum"));
   // Four standard deviations of the mean and of the mean square of n normal numbers, and of their products.
   const double bound = 4.0 / std::sqrt(static_cast<double>(runs));
   for (std::size_t a = 0; a < numbers.size(); ++a) {

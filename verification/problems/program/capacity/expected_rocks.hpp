@@ -10,6 +10,6 @@ namespace talus::verification::problems::fence_capacity {
 void check_hazard(const Program& program, Findings& findings, Differences& differ);
 
 /// Rocks whose mass, speed and height are all drawn: lognormal, and independent of each other.
-void check_drawn_rocks(const Program& program, Differences& differ);
+void check_drawn_rocks(const Program& program, Findings& findings, Differences& differ);
 
 }  // namespace talus::verification::problems::fence_capacity

@@ -32,6 +32,8 @@ void check_boundary(const Program& program, Findings& findings, Differences& dif
   program.write("fence.toml", fence(guided));
   program.write("map.toml", question(cells, ""));
   const Json found = program.json({"capacity", "map.toml"}, {{"--no-plots", {}}, {"--threads", {"2"}}, {"--json", {}}});
+  // As values: the audit of the interface writes files of JSON again, with other spaces.
+  differ.holds("printed JSON of a map", program.file("map/capacity.json") == found);
   const Json& map = found.at("maps").at(0);
   double outside = 0.0, widest = 0.0;
   std::vector<std::vector<std::string>> rows;
@@ -405,7 +407,7 @@ void run(Findings& findings, const Setup& setup) {
     check_ends(program, differ);
     check_factor(program, differ);
     check_positions(program, differ);
-    check_drawn_rocks(program, differ);
+    check_drawn_rocks(program, findings, differ);
     check_audit(program, differ);
     check_open_audit(program, differ);
     check_margins(program, differ);

@@ -321,6 +321,28 @@ void check_plane(Findings& findings, const Setup& setup) {
                   Tolerance::truncation(1.0, 1.5,
                                         "the maximum of an oscillation of frequency w is at most half a step from the "
                                         "nearest state"));
+  // The same scene in US units; its quantities name theirs.
+  std::string in_us_units = plane_text(setup);
+  replace(in_us_units, "units = \"SI\"", "units = \"US\"");
+  folder.write("us.toml", in_us_units);
+  (void)talus_output(folder, {"run", "us.toml", "--impacts", "--out", "us"});
+  const std::vector<Row> in_feet = rows_of(records::read_csv(folder.path() / "us/impacts.csv"));
+  constexpr double foot = 0.3048, pound = 4.4482216152605;
+  double of_units = in_feet.size() == rows.size() ? 0.0 : std::nan("");
+  for (std::size_t i = 0; i < std::min(in_feet.size(), rows.size()); ++i) {
+    const Row& si = rows[setup.has("rows_exchanged") ? 1 - i : i];
+    for (const auto& [column, unit] :
+         {std::pair{"approach_speed", foot}, std::pair{"separation_speed", foot}, std::pair{"slip_before", foot},
+          std::pair{"slip_after", foot}, std::pair{"largest_overlap", foot}, std::pair{"peak_force", pound},
+          std::pair{"normal_impulse", pound}, std::pair{"tangential_impulse", pound}, std::pair{"impulse_x", pound},
+          std::pair{"impulse_y", pound}, std::pair{"touch_time", 1.0}, std::pair{"separation_time", 1.0},
+          std::pair{"peak_force_time", 1.0}, std::pair{"restitution", 1.0}})
+      keep_worst(of_units, in_feet[i][column] * unit / si[column] - 1.0);
+  }
+  findings.expect("columns in US units over those in SI units, largest deviation from 1", of_units, 0.0,
+                  Tolerance::round_off(1e-9,
+                                       "a run has the units of its scene: two runs with the roundings and the "
+                                       "tolerance of the method as above"));
   // The summary has the same numbers.
   const Json json = records::read_json(folder.path() / "out/summary.json");
   findings.count(Node{json, "summary.json"}.at("evaluations").count());

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -247,6 +248,38 @@ void check_verdict(const Node& sheet, const Node& summary, const std::string& pr
                   of_units());
 }
 
+/// Largest difference of two tables of the same run, in US and in SI units, over the largest value of the column. NaN
+/// for another column, another number of rows or an unknown unit.
+double units_error(const Csv& in_feet, const Csv& in_metres) {
+  constexpr double foot = 0.3048, pound = 4.4482216152605;
+  const std::map<std::string, std::pair<std::string, double>> units{{"s", {"s", 1.0}},
+                                                                    {"1", {"1", 1.0}},
+                                                                    {"rad", {"rad", 1.0}},
+                                                                    {"rad/s", {"rad/s", 1.0}},
+                                                                    {"ft", {"m", foot}},
+                                                                    {"ft/s", {"m/s", foot}},
+                                                                    {"lbf", {"N", pound}},
+                                                                    {"lbf ft", {"N m", pound * foot}},
+                                                                    {"lbf/ft", {"N/m", pound / foot}}};
+  double worst =
+      in_feet.rows() == in_metres.rows() && in_feet.header().size() == in_metres.header().size() ? 0.0 : std::nan("");
+  for (std::size_t column = 0; column < std::min(in_feet.header().size(), in_metres.header().size()); ++column) {
+    const std::string head = in_feet.header()[column];
+    const std::size_t bracket = head.find(" [");
+    const auto unit =
+        bracket == std::string::npos ? units.end() : units.find(head.substr(bracket + 2, head.size() - bracket - 3));
+    if (unit == units.end() || in_metres.header()[column] != head.substr(0, bracket) + " [" + unit->second.first + "]")
+      return std::nan("");
+    double largest = 0.0, difference = 0.0;
+    for (std::size_t row = 0; row < std::min(in_feet.rows(), in_metres.rows()); ++row) {
+      keep_worst(largest, in_metres.number(row, column));
+      keep_worst(difference, in_feet.number(row, column) * unit->second.second - in_metres.number(row, column));
+    }
+    if (difference != 0.0) keep_worst(worst, difference / largest);
+  }
+  return worst;
+}
+
 /// The first rock alone, which does not reach the fence before the end, in feet and in metres. Both listings are in
 /// feet. The listing of both rocks has the contact stiffness of the first.
 void check_alone(const TemporaryFolder& folder, const std::string& deck, Findings& findings, const Setup& setup) {
@@ -284,6 +317,15 @@ void check_alone(const TemporaryFolder& folder, const std::string& deck, Finding
   const std::string stiffness = "Normal contact stiffness (rock/fence) = ";
   differences.contains("stiffness in the listing", listing, stiffness);
   differences.compare("stiffness in the listing", line(of_both, stiffness), line(listing, stiffness));
+  const double of_units = units_error(records::read_csv(folder.path() / "alone/alone.history.csv"),
+                                      records::read_csv(folder.path() / "alone_in_metres/alone_in_metres.history.csv"));
+  findings.expect(
+      "first rock alone: columns of the history in US units over those in SI units, largest difference "
+      "over the largest value",
+      of_units, 0.0,
+      Tolerance::round_off(1e-10,
+                           "a run has the units of its scene: roundings of 1e-16 in some thousand "
+                           "steps, which the frequency of the cables multiplies by a thousand"));
   differences.expect_none(findings, "first rock alone: listings and members of summary.json that differ",
                           "three digits of a run in metres and in feet; the listing states the contact stiffness of "
                           "the first rock; a rock that has not touched the fence has no time or speed of an exit");
