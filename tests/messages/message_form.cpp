@@ -22,8 +22,11 @@ bool before(const std::string& a, const std::string& b) { return a.size() != b.s
 
 std::string lasting(const std::string& line) {
   static const std::regex folders{R"((^|[ '"])(?:/[^/ :'"]+)+/(?=[^/ :'"]))"},
-      scratch{R"((?:_|partial-)[0-9]{2,}(?=[_. :'"]|$))"}, process{R"(process [0-9]+)"};
-  return replaced(replaced(replaced(line, folders, "$1"), scratch, ""), process, "process 1234");
+      scratch{R"((?:_|partial-)[0-9]{2,}(?=[_. :'"]|$))"},
+      temporary{R"((talus_(?:test|case))_[A-Za-z0-9]{6}(?![A-Za-z0-9]))"}, process{R"(process [0-9]+)"},
+      hash{R"((^|[^A-Za-z0-9.])(?=[0-9]*[a-f])[0-9a-f]{16}(?![A-Za-z0-9]))"};
+  const std::string text = replaced(replaced(replaced(line, folders, "$1"), temporary, "$1"), scratch, "");
+  return replaced(replaced(text, process, "process 1234"), hash, "$010123456789abcdef");
 }
 
 std::string form_of(const std::string& line) {

@@ -38,6 +38,8 @@ BOOST_AUTO_TEST_CASE(digits_of_words_formulas_and_years_are_no_numbers) {
 BOOST_AUTO_TEST_CASE(what_changes_from_run_to_run_is_left_out) {
   BOOST_TEST(lasting("/tmp/talus_faults_1234/out/state.json: found 3 m/s") == "state.json: found 3 m/s");
   BOOST_TEST(lasting("talus_faults_1234: process 77") == "talus_faults: process 1234");
+  BOOST_TEST(lasting("talus_test_3xsl7G: is a folder") == "talus_test: is a folder");
+  BOOST_TEST(lasting("run 2c6cd4bfa8263b65 of 9007199254740994") == "run 0123456789abcdef of 9007199254740994");
 }
 
 BOOST_AUTO_TEST_CASE(the_shortest_message_is_the_example) {
