@@ -138,8 +138,7 @@ void add_lines(const CaseChange& change, std::vector<SortedLine>& lines) {
 std::set<std::string> unfinished_cases(const Comparison& comparison) {
   std::set<std::string> ids;
   for (const CaseChange& change : comparison.cases) {
-    const bool ended = change.presence == Presence::both &&
-                       (change.after->status == Status::pass || change.after->status == Status::fail);
+    const bool ended = change.presence == Presence::both && finished(change.after->status);
     if (!ended) ids.insert(change.renamed_from ? change.renamed_from->id : change.name.id);
   }
   return ids;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -20,6 +19,7 @@
 #include "verification/study/findings/expectations.hpp"
 #include "verification/study/program/program_options.hpp"
 #include "verification/study/program/program_run.hpp"
+#include "verification/study/program/table_units.hpp"
 
 namespace talus::verification::problems::two_rocks {
 namespace {
@@ -246,38 +246,6 @@ void check_verdict(const Node& sheet, const Node& summary, const std::string& pr
                                    "contact, otherwise that at the end, in percent of that of the approach"));
   findings.expect("summary.json: numbers of the verdict against those of the sheet, largest error", worst.error(), 0.0,
                   of_units());
-}
-
-/// Largest difference of two tables of the same run, in US and in SI units, over the largest value of the column. NaN
-/// for another column, another number of rows or an unknown unit.
-double units_error(const Csv& in_feet, const Csv& in_metres) {
-  constexpr double foot = 0.3048, pound = 4.4482216152605;
-  const std::map<std::string, std::pair<std::string, double>> units{{"s", {"s", 1.0}},
-                                                                    {"1", {"1", 1.0}},
-                                                                    {"rad", {"rad", 1.0}},
-                                                                    {"rad/s", {"rad/s", 1.0}},
-                                                                    {"ft", {"m", foot}},
-                                                                    {"ft/s", {"m/s", foot}},
-                                                                    {"lbf", {"N", pound}},
-                                                                    {"lbf ft", {"N m", pound * foot}},
-                                                                    {"lbf/ft", {"N/m", pound / foot}}};
-  double worst =
-      in_feet.rows() == in_metres.rows() && in_feet.header().size() == in_metres.header().size() ? 0.0 : std::nan("");
-  for (std::size_t column = 0; column < std::min(in_feet.header().size(), in_metres.header().size()); ++column) {
-    const std::string head = in_feet.header()[column];
-    const std::size_t bracket = head.find(" [");
-    const auto unit =
-        bracket == std::string::npos ? units.end() : units.find(head.substr(bracket + 2, head.size() - bracket - 3));
-    if (unit == units.end() || in_metres.header()[column] != head.substr(0, bracket) + " [" + unit->second.first + "]")
-      return std::nan("");
-    double largest = 0.0, difference = 0.0;
-    for (std::size_t row = 0; row < std::min(in_feet.rows(), in_metres.rows()); ++row) {
-      keep_worst(largest, in_metres.number(row, column));
-      keep_worst(difference, in_feet.number(row, column) * unit->second.second - in_metres.number(row, column));
-    }
-    if (difference != 0.0) keep_worst(worst, difference / largest);
-  }
-  return worst;
 }
 
 /// The first rock alone, which does not reach the fence before the end, in feet and in metres. Both listings are in
