@@ -138,11 +138,12 @@ int main(int argc, char** argv) {
       named.push_back(entry.path().filename().string());
   }
   std::map<fs::path, std::string> inputs;  // as they were
+  std::set<std::string> fields;
   for (const std::string& argument : named) {
     const fs::path file = fs::current_path() / argument;
     if (!argument.ends_with(".toml") || !fs::is_regular_file(file) || inputs.contains(file)) continue;
     const std::string text = records::read_whole(file);
-    if (item.empty()) items.merge(items_of(file, text));
+    if (item.empty()) fields.merge(items_of(file, text));
     // Only files of the case's folder are changed, not those of the source tree.
     if (const auto other = changed(file, text, item); other && !argument.starts_with("/")) {
       reached = true;
@@ -154,6 +155,7 @@ int main(int argc, char** argv) {
   restore_originals();
   const auto before = outputs();
   reports::Finished finished = reports::run({program, passed, {}, {}});
+  if (finished.status != 2) items.merge(fields);  // a refused file shows nothing about the fields that are right in it
   for (const auto& [file, text] : outputs()) {
     const auto earlier = before.find(file);
     const bool is_new = earlier == before.end() || earlier->second != text;

@@ -184,7 +184,7 @@ std::string item_of_column(const std::string& kind, const std::string& cell) {
   return "column " + kind + ": " + name;
 }
 
-/// The CSV text with the numbers of one column changed; nothing if there are none.
+/// The CSV text with the numbers and texts of one column changed; nothing if all its cells are empty.
 std::optional<std::string> changed_column(const std::string& text, std::size_t column) {
   const std::size_t header = header_begin(text);
   std::istringstream lines(text.substr(header));
@@ -192,9 +192,13 @@ std::optional<std::string> changed_column(const std::string& text, std::size_t c
   bool any = false;
   for (std::size_t number = 0; std::getline(lines, line); ++number) {
     std::vector<std::string> cells = cells_of(line);
-    if (number > 0 && column < cells.size() && number_length(cells[column]) == cells[column].size() &&
-        !cells[column].empty()) {
-      cells[column] = changed_number(cells[column], true);
+    if (number > 0 && column < cells.size() && !cells[column].empty()) {
+      std::string& cell = cells[column];
+      if (number_length(cell) == cell.size()) {
+        cell = changed_number(cell, true);
+      } else {
+        cell.insert(cell.ends_with('"') ? cell.size() - 1 : cell.size(), "x");
+      }
       any = true;
     }
     for (std::size_t i = 0; i < cells.size(); ++i)

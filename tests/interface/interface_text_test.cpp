@@ -73,7 +73,11 @@ BOOST_AUTO_TEST_CASE(columns_change_in_each_row) {
   BOOST_TEST((items_of("history.csv", notes + csv) == items_of("history.csv", csv)));
   BOOST_TEST(changed("history.csv", notes + csv, "column history.csv: a, b").value_or("") ==
              notes + "time [s],\"a, b\",name\n0,1.01,x\n1,2.525,y\n");
-  BOOST_TEST(!changed("history.csv", csv, "column history.csv: name"));
+  BOOST_TEST(changed("history.csv", csv, "column history.csv: name").value_or("") ==
+             "time [s],\"a, b\",name\n0,1,xx\n1,2.5,yx\n");
+  const std::string texts = "end,reason\n1,\n,\"a, b\"\n";
+  BOOST_TEST(changed("results.csv", texts, "column *.csv: reason").value_or("") == "end,reason\n1,\n,\"a, bx\"\n");
+  BOOST_TEST(!changed("results.csv", "end,reason\n1,\n", "column *.csv: reason"));
   BOOST_TEST(!changed("history.csv", csv, "column history.csv: c"));
 }
 

@@ -37,6 +37,7 @@ bool Findings::add(Check check, std::string id) {
     groups_.back().push_back(id.substr(0, slash));
   if (!id.empty()) groups_.back().push_back(std::move(id));
   if (std::erase(needed_, checks_.back().name) > 0 && needed_.empty()) throw Decided{};
+  if (until_one_fails_ && !checks_.back().pass) throw Decided{};
   return checks_.back().pass;
 }
 

@@ -31,12 +31,18 @@ struct CheckName {
 /// std::logic_error for a name used twice, std::invalid_argument for missing text or a malformed figure.
 class Findings {
  public:
-  /// Thrown by the check that completes the required ones: the rest of the run decides nothing.
+  /// Thrown by the check that decides the result: the rest of the run adds nothing to it.
   struct Decided {};
 
   Findings() = default;
   /// Only the checks named `needed` are required, at least one: `Decided` is thrown once all of them are made.
   explicit Findings(std::vector<std::string> needed) : needed_{std::move(needed)} {}
+  /// Only whether all checks pass is required: the first that does not throws `Decided`.
+  static Findings until_one_fails() {
+    Findings findings;
+    findings.until_one_fails_ = true;
+    return findings;
+  }
 
   /// A scope whose checks belong to a group: see in().
   class Group {
@@ -109,6 +115,7 @@ class Findings {
   bool add(Check check, std::string id);
 
   std::vector<std::string> needed_;  ///< Not yet made.
+  bool until_one_fails_ = false;
   std::vector<Check> checks_;
   std::vector<std::vector<std::string>> groups_;  ///< for each check
   std::vector<std::string> open_groups_;

@@ -117,6 +117,16 @@ BOOST_AUTO_TEST_CASE(a_run_ends_with_the_last_needed_check) {
   BOOST_TEST(!findings.find("fourth")->pass);
 }
 
+BOOST_AUTO_TEST_CASE(a_run_ends_with_the_first_failed_check_if_only_the_verdict_is_needed) {
+  Findings findings = Findings::until_one_fails();
+  const auto expect = [&](const std::string& name, bool holds) {
+    return findings.expect_true(name, holds, "an identity");
+  };
+  BOOST_TEST(expect("first", true));
+  BOOST_CHECK_THROW(expect("second", false), Findings::Decided);
+  BOOST_TEST(findings.checks().size() == 2u);
+}
+
 BOOST_AUTO_TEST_CASE(a_setup_needs_checks_by_parts_of_their_names) {
   BOOST_TEST(Setup{}.needs("anything"));
   const Setup control{.fault = "softer", .needed = {"largest error, disc", "order"}};
