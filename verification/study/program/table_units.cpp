@@ -20,32 +20,46 @@ struct Unit {
   double size{};
 };
 
-/// By the heads of columns in US units.
+/// By units of tables in US units; "": of texts and counts.
 const std::map<std::string, Unit>& units() {
   static const std::map<std::string, Unit> all{{"", {"", 1.0}},
-                                               {" [s]", {" [s]", 1.0}},
-                                               {" [1]", {" [1]", 1.0}},
-                                               {" [rad]", {" [rad]", 1.0}},
-                                               {" [rad/s]", {" [rad/s]", 1.0}},
-                                               {" [ft]", {" [m]", foot}},
-                                               {" [ft/s]", {" [m/s]", foot}},
-                                               {" [lbf]", {" [N]", pound}},
-                                               {" [lbf s]", {" [N s]", pound}},
-                                               {" [lbf ft]", {" [N m]", pound * foot}},
-                                               {" [lbf/ft]", {" [N/m]", pound / foot}}};
+                                               {"s", {"s", 1.0}},
+                                               {"1", {"1", 1.0}},
+                                               {"rad", {"rad", 1.0}},
+                                               {"rad/s", {"rad/s", 1.0}},
+                                               {"ft", {"m", foot}},
+                                               {"ft/s", {"m/s", foot}},
+                                               {"lbf", {"N", pound}},
+                                               {"lbf s", {"N s", pound}},
+                                               {"lbf ft", {"N m", pound * foot}},
+                                               {"lbf/ft", {"N/m", pound / foot}},
+                                               {"lb", {"kg", 0.45359237}},
+                                               {"lbf/ft^2", {"N/m^2", pound / (foot * foot)}}};
   return all;
 }
 
 }  // namespace
+
+TableHead::TableHead(const std::string& head) {
+  const std::size_t bracket = head.ends_with(']') ? head.rfind(" [") : std::string::npos;
+  name = head.substr(0, bracket);
+  if (bracket != std::string::npos) unit = head.substr(bracket + 2, head.size() - bracket - 3);
+}
+
+double size_of_unit(const std::string& unit) {
+  if (const auto found = units().find(unit); found != units().end()) return found->second.size;
+  const bool is_si = std::ranges::any_of(units(), [&](const auto& each) { return each.second.si == unit; });
+  return is_si || unit == "J" ? 1.0 : none;
+}
 
 double units_error(const records::Csv& in_feet, const records::Csv& in_metres) {
   if (in_feet.rows() != in_metres.rows() || in_feet.header().size() != in_metres.header().size()) return none;
   double worst = 0.0;
   for (std::size_t column = 0; column < in_feet.header().size(); ++column) {
     const std::string& head = in_feet.header()[column];
-    const std::string name = head.substr(0, head.find(" ["));
-    const auto unit = units().find(head.substr(name.size()));
-    if (unit == units().end() || in_metres.header()[column] != name + unit->second.si) return none;
+    const TableHead of{head}, other{in_metres.header()[column]};
+    const auto unit = units().find(of.unit);
+    if (unit == units().end() || other.name != of.name || other.unit != unit->second.si) return none;
     double largest = 0.0, difference = 0.0;
     for (std::size_t row = 0; row < in_feet.rows(); ++row) {
       if (unit->first.empty() && in_feet.cell(row, column) == in_metres.cell(row, column)) continue;

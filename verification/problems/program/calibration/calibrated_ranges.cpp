@@ -6,7 +6,9 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <iterator>
 #include <limits>
+#include <map>
 #include <numbers>
 #include <numeric>
 #include <set>
@@ -345,10 +347,17 @@ void compare_text(const Range& range, const std::string& printed, const Json& js
                               range.common.restitution, speed, parameter));
 }
 
-/// Compares the table of the folder, in US units, with the JSON output.
-void compare_csv(const Range& range, const records::Csv& csv, const Json& json, WorstRange& worst,
+/// The column in SI units.
+TableColumn in_si(const TableColumn& column) {
+  static const std::map<std::string, std::string> units{{"ft", "m"},    {"ft/s", "m/s"},       {"ft^-1 s", "m^-1 s"},
+                                                        {"slug", "kg"}, {"lbf s/ft", "N s/m"}, {"s", "s"},
+                                                        {"1", "1"}};
+  return {column.name, units.at(column.unit), 1.0};
+}
+
+/// Compares the table of a folder, of these columns, with the JSON output.
+void compare_csv(const std::vector<TableColumn>& columns, const records::Csv& csv, const Json& json, WorstRange& worst,
                  Differences& differ) {
-  const std::vector<TableColumn> columns = columns_of(range);
   std::vector<std::string> heads;
   for (const TableColumn& column : columns)
     heads.push_back(fmt::format("{} [{}]", column.name, column.unit));
@@ -409,7 +418,10 @@ void compare_given(const Range& range, const Program& program, const Environment
   differ.compare("minimax beside a given dashpot", json.at("minimax_" + parameter), minimax.at("minimax_" + parameter));
   differ.compare("its deviation", json.at("minimax_deviation"), minimax.at("minimax_deviation"));
   keep_worst(worst.given, json.at("largest_deviation").get<double>() - largest_deviation(range, given));
-  differ.holds("files beside JSON", program.has("given/calibration.csv") && program.has("given/calibration.pdf"));
+  std::vector<TableColumn> columns;
+  std::ranges::transform(columns_of(range), std::back_inserter(columns), in_si);
+  compare_csv(columns, program.csv("given/calibration.csv"), json, worst, differ);
+  differ.holds("picture beside JSON", program.has("given/calibration.pdf"));
   const std::string printed = program.run({"calibrate"}, options);
   keep_worst(worst.printed, number_after(printed, parameter + ", as given ") / given - 1.0);
   const auto deviation_on_line = [&](const std::string& start) {
@@ -500,7 +512,7 @@ void check_ranges(const Program& program, Findings& findings) {
     const std::string printed = talus_output(program.folder(), with_options({"calibrate"}, in_feet, setup), recorded);
     compare_text(range, printed, json, worst, differ);
     differ.contains("names of files", printed, fmt::format("{0}/calibration.csv\n{0}/calibration.svg\n", out));
-    compare_csv(range, program.csv(out + "/calibration.csv"), json, worst, differ);
+    compare_csv(columns_of(range), program.csv(out + "/calibration.csv"), json, worst, differ);
     compare_drawing(range, program.read(out + "/calibration.svg"), json, worst, differ);
     // Two calls for each pair: in the quick tier of spheres for some laws, of masses for the others.
     const bool is_of_tier = setup.tier == Tier::full || (kind == 0) == (number % 2 == 0);

@@ -11,12 +11,14 @@
 #include <vector>
 
 #include "verification/check/case_file.hpp"
+#include "verification/problems/program/capacity/map_nodes.hpp"
 #include "verification/problems/program/capacity/one_column.hpp"
 #include "verification/record/csv.hpp"
 #include "verification/record/json_node.hpp"
 #include "verification/record/whole_file.hpp"
 #include "verification/study/findings/expectations.hpp"
 #include "verification/study/program/program_run.hpp"
+#include "verification/study/program/sweep_results.hpp"
 
 namespace talus::verification::problems::fence_capacity {
 
@@ -37,7 +39,7 @@ void check_tilted_rocks(const Program& program, Differences& differ) {
                   0.125 * own_mass, 8.0 * own_mass));
   program.run({"capacity", "places.toml"}, {{"--no-plots", {}}});
   program.run({"sweep", "collect", "places"});
-  const records::Csv runs = program.csv("places/results.csv");
+  const records::Csv runs = compared_sweep(program, "places", differ);
   const double across = own_radius * std::cos(angle), along = long_axis * std::sin(angle);
   for (std::size_t row = 0; row < runs.rows(); ++row) {
     const double size = runs.number(row, "fence.rock[0].a [m]") / own_radius;
@@ -57,7 +59,7 @@ void check_failed_runs(const Program& program, Differences& differ) {
   program.write("unlimited.toml", map);
   differ.compare("no run failed", program.end({"capacity", "unlimited.toml"}, {{"--no-plots", {}}}).exit_code, 0);
   program.run({"sweep", "collect", "unlimited"});
-  const records::Csv runs = program.csv("unlimited/results.csv");
+  const records::Csv runs = compared_sweep(program, "unlimited", differ);
   std::vector<double> evaluations;
   for (std::size_t row = 0; row < runs.rows(); ++row)
     evaluations.push_back(runs.number(row, "evaluations"));
@@ -90,7 +92,7 @@ void check_changes(const Program& program, Differences& differ) {
   for (const char* const file : {"envelope_1.svg", "envelope_2.pdf", "cable_force_1.svg"})
     differ.holds("figure", program.has(fmt::format("changes/plots/{}", file)));
   program.run({"sweep", "collect", "changes"});
-  const records::Csv runs = program.csv("changes/results.csv");
+  const records::Csv runs = compared_sweep(program, "changes", differ);
   double highest = 0.0, angle = 0.0, spin = 0.0;
   for (std::size_t row = 0; row < runs.rows(); ++row) {
     const auto number = [&](const std::string& head) { return runs.number(row, head); };
@@ -127,7 +129,8 @@ void check_positions(const Program& program, Differences& differ) {
        {"height 4.5 m, spin -1 rad/s, along -0.25 m: 16 runs", "height 4.5 m, spin 3 rad/s, along 0.125 m: 16 runs"})
     differ.contains(fmt::format("map of {}", name), text, fmt::format("\n{}", name));
   program.run({"sweep", "collect", "positions"});
-  const records::Csv placed = program.csv("positions/results.csv"), maps = program.csv("positions/capacity.csv");
+  const records::Csv placed = compared_sweep(program, "positions", differ),
+                     maps = program.csv("positions/capacity.csv");
   double shift = 0.0, farthest = 0.0, mean_spin = 0.0, widest = 0.0, products = 0.0;
   std::size_t expected = 0;
   std::set<double> positions;
@@ -163,7 +166,7 @@ void check_positions(const Program& program, Differences& differ) {
                 "cells = 1\nfirst_cells = 1\nruns = 4\naudit = 0\n[hazard]\ntable = \"spinning.csv\"\nruns = 3\n");
   program.run({"capacity", "table.toml"}, {{"--no-plots", {}}, {"--out", {"spinning"}}});
   program.run({"sweep", "collect", "spinning"});
-  const records::Csv spinning = program.csv("spinning/results.csv");
+  const records::Csv spinning = compared_sweep(program, "spinning", differ);
   std::size_t of_table = 0;
   for (std::size_t row = 0; row < spinning.rows(); ++row) {
     of_table += spinning.number(row, "fence.rock[0].along [m]") == 0.2 &&
@@ -225,8 +228,9 @@ void check_us_base(const Program& program, Differences& differ) {
   for (std::size_t row = 0; row < nodes.rows(); ++row)
     differ.holds("position of a node in feet", is_near(nodes.number(row, "along [ft]"), 1.0));
   program.run({"sweep", "collect", "us"});
-  const records::Csv steep = program.csv("us/results.csv");
+  const records::Csv steep = compared_sweep(program, "us", differ);
   double raised = 0.0, sized = 0.0;
+  compare_nodes(nodes, steep, {own.at("mass").get<double>(), 0.953951 * foot}, differ);
   constexpr double own_half = 0.953951 * foot, slope = 10.0 * std::numbers::pi / 180.0;
   const auto half_of = [&](double pounds) {
     return own_half * std::cbrt(pounds * pound /

@@ -16,6 +16,8 @@
 #include "verification/record/csv.hpp"
 #include "verification/record/json_node.hpp"
 #include "verification/study/findings/expectations.hpp"
+#include "verification/study/findings/sample_quantile.hpp"
+#include "verification/study/program/sweep_results.hpp"
 
 namespace talus::verification::problems::fence_capacity {
 namespace {
@@ -28,15 +30,12 @@ constexpr double z95 = 1.6448536269514722, z99 = 2.3263478740408408;
 /// Worst relative deviation of a quantile of runs, and of the ends of its interval, from those of their sorted values:
 /// the number of values below the quantile is binomial, and each tail has at most 2.5 %.
 double quantile_error(const Json& found, const std::vector<double>& sorted, double probability) {
-  const double rank = probability * static_cast<double>(sorted.size() - 1);
-  const auto below = static_cast<std::size_t>(rank);
   const boost::math::binomial_distribution<double> number{static_cast<double>(sorted.size()), probability};
   double worst = 0.0;
   const auto compare = [&](const Json& value, double exact) {
     keep_worst(worst, (value.get<double>() - exact) / (std::abs(exact) + 1e-300));
   };
-  compare(found.at("value"),
-          std::lerp(sorted[below], sorted[std::min(below + 1, sorted.size() - 1)], rank - static_cast<double>(below)));
+  compare(found.at("value"), sample_quantile(sorted, probability));
   compare(found.at("interval").at(0), sorted[static_cast<std::size_t>(boost::math::quantile(number, 0.025))]);
   compare(found.at("interval").at(1), sorted[static_cast<std::size_t>(boost::math::quantile(number, 0.975))]);
   return worst;
@@ -96,7 +95,7 @@ void check_drawn_rocks(const Program& program, Findings& findings, Differences& 
                             runs));
   program.run({"capacity", "drawn.toml"}, {{"--no-plots", {}}});
   program.run({"sweep", "collect", "drawn"});
-  const records::Csv results = program.csv("drawn/results.csv");
+  const records::Csv results = compared_sweep(program, "drawn", differ);
   // Standard normal numbers, from the definition of the percentiles.
   std::array<std::vector<double>, 3> numbers;
   const auto add = [&](std::size_t of, double value, double p95, double p99) {

@@ -13,12 +13,14 @@
 #include "verification/problems/program/capacity/changed_rocks.hpp"
 #include "verification/problems/program/capacity/drawn_capacity.hpp"
 #include "verification/problems/program/capacity/expected_rocks.hpp"
+#include "verification/problems/program/capacity/map_nodes.hpp"
 #include "verification/problems/program/capacity/one_column.hpp"
 #include "verification/record/csv.hpp"
 #include "verification/record/json_node.hpp"
 #include "verification/study/findings/expectations.hpp"
 #include "verification/study/program/program_options.hpp"
 #include "verification/study/program/program_run.hpp"
+#include "verification/study/program/sweep_results.hpp"
 
 namespace talus::verification::problems::fence_capacity {
 namespace {
@@ -87,7 +89,8 @@ void check_boundary(const Program& program, Findings& findings, Differences& dif
 
   // Each run, as a sweep lists it.
   program.run({"sweep", "collect", "map"});
-  const records::Csv runs = program.csv("map/results.csv"), nodes = program.csv("map/capacity.csv");
+  const records::Csv runs = compared_sweep(program, "map", differ), nodes = program.csv("map/capacity.csv");
+  compare_nodes(nodes, runs, {own_mass, own_radius}, differ);
   double geometry = 0.0, speeds = 0.0, sizes = 0.0;
   std::size_t stopped = 0;
   std::vector<double> changes;
@@ -319,7 +322,7 @@ void check_audit(const Program& program, Differences& differ) {
   const std::string printed = program.run({"capacity", "audited.toml"}, {{"--no-plots", {}}});
   const Json map = program.file("audited/capacity.json").at("maps").at(0), audit = map.at("audit");
   program.run({"sweep", "collect", "audited"});
-  const records::Csv runs = program.csv("audited/results.csv"), nodes = program.csv("audited/capacity.csv");
+  const records::Csv runs = compared_sweep(program, "audited", differ), nodes = program.csv("audited/capacity.csv");
   int not_stopped = 0;
   for (std::size_t row = 0; row < runs.rows(); ++row)
     not_stopped += runs.cell(row, "verdict") == "stopped" ? 0 : 1;
@@ -356,7 +359,7 @@ void check_open_audit(const Program& program, Differences& differ) {
   program.run({"sweep", "collect", "open"});
   differ.compare("runs at the corners of an open map", map.at("runs").get<int>(), 16);
   differ.compare("stopped runs at the corners of an open map", map.at("ends").at("stopped").get<int>(), 8);
-  differ.compare("runs of an open map and its audit", program.csv("open/results.csv").rows(),
+  differ.compare("runs of an open map and its audit", compared_sweep(program, "open", differ).rows(),
                  std::size_t{16 + audited});
   differ.compare("counted runs of an open audit", audit.at("runs").get<int>(), 0);
   differ.compare("contradictions of an open audit", audit.at("contradictions").get<int>(), 0);

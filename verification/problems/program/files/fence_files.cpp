@@ -218,17 +218,22 @@ void check_codes(const TemporaryFolder& folder, Findings& findings) {
     return column(codes, fmt::format("element{}.{}", element, of));
   };
   double differing = 0.0, deck = 0.0, lengths = 0.0, stretches = 0.0, largest = 0.0;
-  for (const auto& [element, body] : {std::pair{2, "rock1"}, {3, "rock2"}, {4, "column1"}, {5, "column2"}})
+  for (const auto& [element, body] :
+       {std::pair{2, "rock1"}, {3, "rock2"}, {4, "column1"}, {5, "column2"}, {6, "column3"}})
     for (const auto& [of, quantity] : {std::pair{"x", "x"}, {"y", "y"}, {"theta", "angle"}})
       differing += code(element, of) == column(history, fmt::format("{}.{}", body, quantity)) ? 0.0 : 1.0;
   findings.expect("history by codes: positions and rotations that differ from those of their bodies", differing, 0.0,
                   Tolerance::exact("the same numbers, written twice"));
-  for (const auto& [element, force, held, fixed_point] : {std::tuple{2, 0.0, 0.0, 0.0}, {3, 200.0, 1.0, -0.4}}) {
+  for (const auto& [element, force, held, fixed_point] : {std::tuple{2, 0.0, 0.0, 0.0},
+                                                          {3, 200.0, 1.0, -0.4},
+                                                          {4, 0.0, 0.0, 0.0},
+                                                          {5, 0.0, 0.0, 0.0},
+                                                          {6, 0.0, 0.0, 0.0}}) {
     keep_worst(deck, code(element, "applied_force_y").back() - force);
     keep_worst(deck, code(element, "held_y").back() - held);
     keep_worst(deck, code(element, "fixed_point_y").back() - fixed_point);
   }
-  findings.expect("history by codes: numbers of the rocks' records, largest error", deck, 0.0,
+  findings.expect("history by codes: numbers of the records of rocks and columns, largest error", deck, 0.0,
                   Tolerance::round_off(1e-13, "two roundings of numbers up to 200, 2.8e-14 each"));
   // Columns are 2.5 ft apart along the fence; bottom joints are 4 ft below their centres.
   const auto joint = [&](int number, std::size_t row) {

@@ -11,12 +11,14 @@
 #include <string_view>
 #include <vector>
 
+#include "verification/problems/program/fit/fit_files.hpp"
 #include "verification/problems/program/fit/fitted_ball.hpp"
 #include "verification/problems/program/pictures/picture_script.hpp"
 #include "verification/record/csv.hpp"
 #include "verification/record/json_node.hpp"
 #include "verification/reference/impacts/damped_bounce.hpp"
 #include "verification/study/program/program_run.hpp"
+#include "verification/study/program/sweep_results.hpp"
 
 namespace talus::verification::problems::fitted_parameters {
 namespace {
@@ -117,7 +119,7 @@ void check_numbers(const Program& program, Findings& findings, Differences& diff
   program.run({"sweep", "plan", "counts.toml"});
   program.run({"sweep", "run", "counts"});
   program.run({"sweep", "collect", "counts"});
-  const records::Csv csv = program.csv("counts/results.csv");
+  const records::Csv csv = compared_sweep(program, "counts", differ);
   const Json json = program.file("counts/results.json");
   double times = 0.0, speeds = 0.0, maxima = 0.0, restitutions = 0.0;
   std::size_t missing = 0;
@@ -198,7 +200,7 @@ void check_lasting_maximum(const Program& program, Differences& differ) {
   program.run({"sweep", "plan", "lasts.toml"});
   program.run({"sweep", "run", "lasts"});
   program.run({"sweep", "collect", "lasts"});
-  const records::Csv csv = program.csv("lasts/results.csv");
+  const records::Csv csv = compared_sweep(program, "lasts", differ);
   const double leaves = (height - radius) / speed + std::numbers::pi * std::sqrt(mass / stiffness),
                hits = leaves + (ceiling - 2.0 * radius) / speed;
   differ.holds("a maximum that lasts", std::abs(csv.number(0, "ball.vy.peak[0] [m/s]") / speed - 1.0) < 1e-12);
@@ -258,6 +260,7 @@ samples = 0
                                             picture_options::recorded_pictures()));
   // Measured and fitted values of each quantity as drawn, in six digits, over the first column.
   const records::Csv rows = program.csv("drawn/fit.csv");
+  compare_fit_files(program, "drawn", "data.csv", differ);
   for (const std::size_t quantity : {1, 2, 3}) {
     const auto picture =
         picture_options::read_picture(program.read(fmt::format("drawn/plots/quantity_{}.svg", quantity)));

@@ -17,10 +17,7 @@ std::string ball_scene(const std::string& integrator);
 /// An axis of the field with `rest`, its other keys.
 std::string axis(const std::string& field, const std::string& rest);
 
-/// Writes the text, plans, runs and collects it in a folder of its name, and returns the table.
-records::Csv collected(const Program& program, const std::string& name, const std::string& text);
-
-/// Compares the ends of the runs in results.json, and their counts, with those of the table.
-void compare_ends(const Program& program, const std::string& name, const records::Csv& csv, Differences& differ);
+/// Writes the text, plans, runs and collects it in a folder of its name, compares the two files, and returns the table.
+records::Csv collected(const Program& program, const std::string& name, const std::string& text, Differences& differ);
 
 }  // namespace talus::verification::problems::swept_scenes

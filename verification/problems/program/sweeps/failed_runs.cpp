@@ -11,6 +11,7 @@
 #include "verification/problems/program/sweeps/ball_sweep.hpp"
 #include "verification/record/csv.hpp"
 #include "verification/record/json_node.hpp"
+#include "verification/study/program/sweep_results.hpp"
 
 namespace talus::verification::problems::swept_scenes {
 namespace {
@@ -28,7 +29,7 @@ void check_rows(const Program& program, Differences& differ) {
   differ.compare("exit status if some runs fail", ran.exit_code, 6);
   differ.contains("counts of failures", ran.output, "6 of 6 runs done: 1 finished, 1 diverged, 3 refused, 1 limited\n");
   differ.compare("exit status of collect", program.end({"sweep", "collect", "failing"}).exit_code, 6);
-  const records::Csv csv = program.csv("failing/results.csv");
+  const records::Csv csv = compared_sweep(program, "failing", differ);
   const std::vector<std::pair<std::string, std::string>> ends{{"finished", ""},
                                                               {"diverged", "overlaps by"},
                                                               {"limited", "limit of 5000 evaluations"},
@@ -36,7 +37,6 @@ void check_rows(const Program& program, Differences& differ) {
                                                               {"refused", "-1 kg"},
                                                               {"refused", "mass"}};
   differ.compare("rows of failures", csv.rows(), ends.size());
-  compare_ends(program, "failing", csv, differ);
   for (std::size_t row = 0; row < std::min(csv.rows(), ends.size()); ++row) {
     differ.compare("end: " + ends[row].first, std::string{csv.cell(row, "end")}, ends[row].first);
     const std::string_view reason = csv.cell(row, "reason");
@@ -65,7 +65,7 @@ void check_warnings(const Program& program, Differences& differ) {
   program.run({"sweep", "plan", "warned.toml"});
   differ.compare("exit status with warnings", program.end({"sweep", "run", "warned"}).exit_code, 0);
   program.run({"sweep", "collect", "warned"});
-  const records::Csv warned = program.csv("warned/results.csv");
+  const records::Csv warned = compared_sweep(program, "warned", differ);
   const std::string reason{warned.cell(0, "reason")};
   differ.compare("end with warnings", std::string{warned.cell(0, "end")}, std::string{"finished"});
   differ.contains("a flaw as reason", reason, "the energy balance is off by");
@@ -114,7 +114,7 @@ void check_limits(const Program& program, Differences& differ) {
   // No upper limit, since a busy machine makes it later; the run would take hours.
   differ.holds("a run ends after its limit of time", taken.count() > 0.06);
   program.end({"sweep", "collect", "slow"});
-  const records::Csv slow = program.csv("slow/results.csv");
+  const records::Csv slow = compared_sweep(program, "slow", differ);
   differ.compare("limit of time", std::string{slow.cell(0, "reason")}, std::string{"limit of 0.06 s"});
 }
 

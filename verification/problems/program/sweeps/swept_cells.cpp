@@ -10,6 +10,7 @@
 #include "verification/problems/program/sweeps/ball_sweep.hpp"
 #include "verification/record/csv.hpp"
 #include "verification/record/json_node.hpp"
+#include "verification/study/program/sweep_results.hpp"
 
 namespace talus::verification::problems::swept_scenes {
 namespace {
@@ -57,7 +58,7 @@ void check_numbers(const Program& program, Differences& differ) {
             fmt::format("outputs = [{}\"cell.balance_error\"]\n", list) + listed("cell.seed", "3, 7") +
                 listed("cell.restitution", "0.6, 0.8") + listed("cell.overburden", "\"8 kPa\", \"4 kPa\""));
   differ.compare("cells: exit status", exit_code, 0);
-  const records::Csv csv = program.csv("cells/results.csv");
+  const records::Csv csv = compared_sweep(program, "cells", differ);
   differ.compare("cells: rows", csv.rows(), std::size_t{8});
   const Json json = program.file("cells/results.json");
   for (std::size_t row = 0; row < csv.rows(); ++row) {
@@ -102,7 +103,7 @@ void check_units(const Program& program, Differences& differ) {
   swept(program, "metres", base, more);
   base.replace(base.find("\"SI\""), 4, "\"US\"");
   swept(program, "feet", base, more);
-  const records::Csv metres = program.csv("metres/results.csv"), feet = program.csv("feet/results.csv");
+  const records::Csv metres = compared_sweep(program, "metres", differ), feet = compared_sweep(program, "feet", differ);
   differ.compare("cells: depth in feet", feet.header().back(), std::string{"cell.depth [ft]"});
   // Other units round the fields differently, and the flow is chaotic: the depths differ by their fluctuations.
   const double depth = metres.number(0, metres.header().size() - 1), last = feet.number(0, feet.header().size() - 1);
@@ -140,7 +141,7 @@ void check_ends(const Program& program, Differences& differ) {
                                   listed("cell.block_speed", "\"3 m/s\", \"100 m/s\"") +
                                   listed("run.end", "\"15 ms\", \"20 ms\", \"-1 s\""));
   differ.compare("cells: exit status with failed runs", exit_code, 6);
-  const records::Csv csv = program.csv("cell_ends/results.csv");
+  const records::Csv csv = compared_sweep(program, "cell_ends", differ);
   const auto text = [&](std::size_t row, const char* head) { return std::string{csv.cell(row, head)}; };
   differ.holds("cells: finished", text(0, "end") == "finished" && text(0, "reason").empty());
   differ.compare("cells: limit", text(1, "end") + ", " + text(1, "reason") + text(1, "cell.stress_ratio_top"),
@@ -156,7 +157,7 @@ void check_ends(const Program& program, Differences& differ) {
   std::string apart = cell_text(load, "0.1 ms");
   swept(program, "cell_apart", apart.replace(apart.find("\"5 ms\""), 6, "\"4e-6 s\""),
         "outputs = [\"cell.depth\", \"cell.stress_ratio_top\"]\n" + listed("cell.seed", "1"));
-  const records::Csv without = program.csv("cell_apart/results.csv");
+  const records::Csv without = compared_sweep(program, "cell_apart", differ);
   differ.holds("cells: depth of discs apart", std::abs(without.number(0, "cell.depth [m]") - 5e-3) < 1e-7);
   // As many runs as whole numbers in a range: a Latin hypercube has each of them once.
   program.write("seeds.toml",

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "verification/record/csv.hpp"
+#include "verification/study/program/program_options.hpp"
+
+/// Nodes of the maps of a capacity; part of the case `fence_capacity`.
+namespace talus::verification::problems::fence_capacity {
+
+/// The rock of the base: mass [kg], radius [m].
+struct OwnRock {
+  double mass{}, radius{};
+};
+
+/// Compares the nodes of capacity.csv with the rows of its runs in results.csv: counts of ends, Wilson's interval of
+/// the probability, quantiles of outputs. The maps must differ in speed and mass alone, and speeds be changed by less
+/// than 2 %; a row belongs to the node of its speed and of its radius, which follows from the mass.
+void compare_nodes(const records::Csv& nodes, const records::Csv& runs, const OwnRock& own, Differences& differ);
+
+}  // namespace talus::verification::problems::fence_capacity
