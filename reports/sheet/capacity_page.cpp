@@ -17,7 +17,7 @@ namespace {
 using records::Json;
 using records::Node;
 
-constexpr int capacity_schema = 4;
+constexpr int capacity_schema = 5;
 
 /// Maximum rows of the table of boundaries, so that the page is one.
 constexpr std::size_t maximum_boundaries = 14;
@@ -52,6 +52,24 @@ CapacityRuns runs(const Node& ends, const Node* outputs) {
                                                     interval(p95.at("interval"))});
   }
   return found;
+}
+
+CapacityRocks expected_rocks(const Node& node) {
+  CapacityRocks rocks;
+  if (node.has("table")) rocks.table = node.at("table").text(), rocks.rows = node.at("rows").count();
+  for (const char* const name : {"mass", "speed", "height", "spin", "along"}) {
+    if (!node.has(name)) continue;
+    const Node of = node.at(name);
+    const bool is_fixed = of.has("value"), is_uniform = of.has("from");
+    const double low = of.at(is_fixed     ? "value"
+                             : is_uniform ? "from"
+                                          : "p95")
+                           .finite(),
+                 high = is_fixed ? low : of.at(is_uniform ? "to" : "p99").finite();
+    rocks.numbers.emplace_back(name, CapacityRocks::Number{low, high, is_uniform});
+  }
+  if (rocks.table.empty() && rocks.numbers.empty()) node.fail("must have a table, or a mass");
+  return rocks;
 }
 
 CapacityRuns node_runs(const Node& line, const char* key) {
@@ -235,6 +253,26 @@ std::string changes_text(const CapacityRecord& record) {
   return text;
 }
 
+const SheetUnits& units_of_rock(const std::string& number) {
+  static constexpr SheetUnits spin_units{1.0, 1.0, "rad/s", "rad/s"};
+  return number == "mass" ? mass_units : number == "speed" ? speed_units : number == "spin" ? spin_units : length_units;
+}
+
+std::string expected_text(const CapacityRecord& record) {
+  const CapacityRocks& expected = record.expected;
+  std::string text;
+  if (!expected.table.empty()) text = fmt::format("; rows of {} ({})", expected.table, expected.rows);
+  for (const auto& [name, number] : expected.numbers) {
+    const SheetUnits& units = units_of_rock(name);
+    const double unit = record.us_units ? units.us : units.si, low = number.low / unit, high = number.high / unit;
+    const std::string_view of = record.us_units ? units.us_name : units.si_name;
+    text += number.is_uniform ? fmt::format("; {} {:.4g} to {:.4g} {}", name, low, high, of)
+            : low == high     ? fmt::format("; {} {:.4g} {}", name, low, of)
+                              : fmt::format("; {0} {1:.4g} {3} (95 %), {2:.4g} {3} (99 %)", name, low, high, of);
+  }
+  return text.substr(2);
+}
+
 std::array<SheetBox, 2> boxes(const CapacityRecord& record) {
   SheetBox left{"Capacity", "amber", {}};
   if (record.hazard) {
@@ -249,7 +287,8 @@ std::array<SheetBox, 2> boxes(const CapacityRecord& record) {
       left.facts.push_back({"95 %", fmt::format("{} to {}", digits(record.failure[0].value_or(0.0)),
                                                 digits(record.failure[1].value_or(1.0)))});
     }
-    left.facts.push_back({"expected rocks", ends_text(hazard)});
+    left.facts.push_back({"expected rocks", expected_text(record)});
+    left.facts.push_back({"their runs", ends_text(hazard)});
   }
   left.facts.push_back({"energy", energies_text(record)});
   const double factor = std::ranges::max(record.maps, {}, &CapacityMapRecord::energy_factor).energy_factor;
@@ -321,6 +360,7 @@ CapacityRecord read_capacity_record(const fs::path& file) {
     const Node hazard = node.at("hazard"), outputs = hazard.at("outputs");
     record.hazard = runs(hazard.at("ends"), &outputs);
     record.failure = interval(hazard.at("interval"));
+    record.expected = expected_rocks(hazard.at("rocks"));
   }
   return record;
 }

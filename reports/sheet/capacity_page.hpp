@@ -44,6 +44,18 @@ struct CapacityMapRecord {
   std::vector<CapacityLine> boundary;
 };
 
+/// The rocks that are expected: rows of a table, if it has a name, and numbers by name.
+struct CapacityRocks {
+  /// A fixed value (low = high), the ends of a uniform distribution, or percentiles of 95 and 99 %.
+  struct Number {
+    double low{}, high{};
+    bool is_uniform{};
+  };
+  std::string table;
+  std::size_t rows{};
+  std::vector<std::pair<std::string, Number>> numbers;
+};
+
 struct CapacityRecord {
   std::string title, base;
   bool us_units{}, is_full{};  ///< is_full: all of the fence is modelled, and not one half
@@ -52,6 +64,7 @@ struct CapacityRecord {
   long long seed{};
   std::vector<CapacityMapRecord> maps;
   std::optional<CapacityRuns> hazard;
+  CapacityRocks expected;    ///< of the hazard
   CapacityInterval failure;  ///< of the hazard's probability of failure
 };
 

@@ -38,14 +38,16 @@ std::string map(const std::string& height, const std::string& lines) {
 }
 
 std::string record(const std::string& maps, const std::string& more = "") {
-  return R"({"schema": 4, "title": "A & B_1", "units": "SI", "base": "f_1.toml", "scene_units": "US",
+  return R"({"schema": 5, "title": "A & B_1", "units": "SI", "base": "f_1.toml", "scene_units": "US",
  "symmetry": "half",
  "mass": [453.59237, 907.18474], "speed": [0.3048, 3.048], "seed": 3,
  "changes": {"speed": 0.01, "height": 0.5, "angle": 0, "spin": 0, "along": 0}, "maps": [)" +
          maps + "]" + more + "}";
 }
 
-const std::string hazard = R"(, "hazard": {"runs": 8, "ends": )" + ends +
+const std::string rocks = R"({"mass": {"p95": 453.59237, "p99": 907.18474}, "speed": {"value": 3.048},
+ "height": {"value": 1.524}, "spin": {"from": -5, "to": 7}})",
+                  hazard = R"(, "hazard": {"rocks": )" + rocks + R"(, "runs": 8, "ends": )" + ends +
                            R"(, "probability_of_failure": 0.25, "interval": [0.07, 0.6], "outputs": )" + outputs + "}";
 
 /// The text with all `what` replaced.
@@ -77,7 +79,9 @@ BOOST_AUTO_TEST_CASE(boundaries_and_expected_rocks_in_the_units_of_the_base) {
   BOOST_TEST(page.lines[0] == "Rocks that the fence of f_1.toml stops: 1000 lb (453.6 kg) to 2000 lb (907.2 kg)");
   BOOST_TEST(page.boxes[0].heading == "Probability of failure per impact: 0.25");
   BOOST_TEST(fact(page.boxes[0], "95 %") == "0.07 to 0.6");
-  BOOST_TEST(fact(page.boxes[0], "expected rocks") == "8 runs: 6 stopped, 2 passed under");
+  BOOST_TEST(fact(page.boxes[0], "expected rocks") ==
+             "mass 1000 lb (95 %), 2000 lb (99 %); speed 10 ft/s; height 5 ft; spin -5 to 7 rad/s");
+  BOOST_TEST(fact(page.boxes[0], "their runs") == "8 runs: 6 stopped, 2 passed under");
   BOOST_TEST(fact(page.boxes[0], "energy") ==
              "at some mass no energy of the map is stopped; at some mass rocks are stopped up to the end of the map");
   BOOST_TEST(fact(page.boxes[0], "one energy") == "misjudges masses by a factor of up to 2.5");
@@ -96,6 +100,15 @@ BOOST_AUTO_TEST_CASE(boundaries_and_expected_rocks_in_the_units_of_the_base) {
   BOOST_TEST(page.tables.at(0).rows.at(2).at(2) == "above 10");
   BOOST_TEST((page.tables.at(1).rows.at(0) == Row{"anchor force", "kip", "0.2248", "1", "0.6744 to unknown"}));
   BOOST_TEST((page.tables.at(2).rows.at(2) == Row{"passed under", "2", "2", "2"}));
+}
+
+BOOST_AUTO_TEST_CASE(expected_rocks_of_a_table) {
+  const auto expected = [](const std::string& of) {
+    return fact(page_of(record(map("1.524", ""), replaced_all(hazard, rocks, of))).boxes[0], "expected rocks");
+  };
+  BOOST_TEST(expected(R"({"table": "a_1.csv", "rows": 12, "along": {"from": -0.3048, "to": 3.048}})") ==
+             "rows of a_1.csv (12); along -1 to 10 ft");
+  BOOST_CHECK_THROW(expected("{}"), talus::records::RecordError);
 }
 
 BOOST_AUTO_TEST_CASE(failed_runs_say_nothing_about_the_fence) {
@@ -153,7 +166,7 @@ BOOST_AUTO_TEST_CASE(the_program_makes_the_page_and_names_a_missing_figure) {
   BOOST_TEST(fs::exists(scratch.path / "capacity.pdf"));
   BOOST_TEST(read_whole(scratch.path / "capacity.html").find("<h1>A &amp; B_1</h1>") != std::string::npos);
   for (const auto& [wrong, message] :
-       {std::pair{std::string{"{\"schema\": 1}"}, "schema: must be 4, found 1: start talus capacity again"},
+       {std::pair{std::string{"{\"schema\": 1}"}, "schema: must be 5, found 1: start talus capacity again"},
         std::pair{record(""), "maps: must have a map"},
         std::pair{record(map("1.524", line("[1]", "[1, 2]"))), "speed: must be 2 numbers, found 1"}}) {
     write_whole(scratch.path / "capacity.json", wrong);

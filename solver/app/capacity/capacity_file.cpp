@@ -114,6 +114,7 @@ void read_rocks(SceneTable& table, const fs::path& file, RockHazard& hazard) {
   hazard.table_has_spin = column_named("spin") != columns.end();
   hazard.table_has_along = column_named("along") != columns.end();
   hazard.table.resize(columns.front().values.size());
+  hazard.table_name = file.filename().string();
   for (std::size_t i = 0; i < allowed.size(); ++i) {
     const auto column = column_named(allowed[i].name);
     if (column == columns.end()) {

@@ -46,6 +46,7 @@ struct RockNumber {
 struct RockHazard {
   RockNumber mass, speed, height;  ///< independent; not with a table
   std::vector<Rock> table;         ///< equally probable rocks; empty: the distributions
+  std::string table_name;          ///< of its file
   /// Ends between which they are uniform [rad/s], [m]; else those of the base's rock, or columns of the table.
   std::optional<std::array<double, 2>> spin, along;
   bool table_has_spin{}, table_has_along{};

@@ -6,13 +6,14 @@
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <tuple>
 
 namespace talus::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int schema = 4;
+constexpr int schema = 5;
 constexpr std::array<const char*, 3> state_names{"stopped", "not stopped", "open"};
 /// Labels of capacity_outputs in the text.
 constexpr std::array<std::string_view, 6> output_labels{"anchor force",       "cable force",
@@ -125,6 +126,59 @@ std::string name_of(const CapacityStudy& study, const Rock& rock, int digits) {
   if (!study.file().positions.empty())
     name += fmt::format(", along {:.{}g} {}", length.of(rock.along), digits, length.name);
   return name;
+}
+
+/// A random number of the expected rocks.
+struct ExpectedNumber {
+  std::string_view name;
+  Unit unit;
+  double low{}, high{};  ///< percentiles of 95 and 99 %, equal: a fixed value; or
+  bool is_uniform{};     ///< ends
+};
+
+/// Those that a table does not give.
+std::vector<ExpectedNumber> expected_numbers(const RockHazard& hazard, const CapacityUnits& units) {
+  std::vector<ExpectedNumber> numbers;
+  if (hazard.table.empty()) {
+    for (const auto& [name, number, unit] : {std::tuple{"mass", hazard.mass, units.mass},
+                                             {"speed", hazard.speed, units.speed},
+                                             {"height", hazard.height, units.length}})
+      numbers.push_back({name, unit, number.p95, number.p99, false});
+  }
+  for (const auto& [name, ends, unit] :
+       {std::tuple{"spin", hazard.spin, Unit{"rad/s", 1.0}}, {"along", hazard.along, units.length}})
+    if (ends) numbers.push_back({name, unit, (*ends)[0], (*ends)[1], true});
+  return numbers;
+}
+
+/// Of each number its value, its percentiles, or its ends; a table by its name.
+Json expected_json(const RockHazard& hazard, const CapacityUnits& units) {
+  Json json = Json::object();
+  if (!hazard.table.empty()) json = {{"table", hazard.table_name}, {"rows", hazard.table.size()}};
+  for (const ExpectedNumber& number : expected_numbers(hazard, units)) {
+    Json& of = json[std::string{number.name}];
+    if (number.is_uniform) {
+      of = {{"from", number.low}, {"to", number.high}};
+    } else if (number.low == number.high) {
+      of = {{"value", number.low}};
+    } else {
+      of = {{"p95", number.low}, {"p99", number.high}};
+    }
+  }
+  return json;
+}
+
+std::string expected_text(const RockHazard& hazard, const CapacityUnits& units) {
+  std::string text;
+  if (!hazard.table.empty()) text = fmt::format("; rows of {} ({})", hazard.table_name, hazard.table.size());
+  for (const ExpectedNumber& number : expected_numbers(hazard, units)) {
+    const double low = number.unit.of(number.low), high = number.unit.of(number.high);
+    text += number.is_uniform ? fmt::format("; {} {:.4g} to {:.4g} {}", number.name, low, high, number.unit.name)
+            : low == high
+                ? fmt::format("; {} {:.4g} {}", number.name, low, number.unit.name)
+                : fmt::format("; {0} {1:.4g} {3} (95 %), {2:.4g} {3} (99 %)", number.name, low, high, number.unit.name);
+  }
+  return text.substr(2);
 }
 
 std::size_t full_grid(const RockMap& map) { return map.nodes.size() * map.map.rules().trials; }
@@ -411,6 +465,7 @@ std::string capacity_json(const CapacityStudy& study, const RockRuns& rocks) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     constexpr Interval unknown{-infinity, infinity};
     json["hazard"] = {
+        {"rocks", expected_json(*file.hazard, units_of(study))},
         {"runs", runs},
         {"ends", ends_json(hazard)},
         {"probability_of_failure",
@@ -458,7 +513,9 @@ std::string capacity_text(const CapacityStudy& study) {
     const RockTrials& hazard = study.hazard();
     const std::size_t runs = hazard.trials.size(), failures = runs - hazard.stopped();
     const Interval interval = wilson_interval(failures, runs);
-    text += fmt::format("expected rocks: {} runs: {}\n", runs, ends_text(hazard)) + failure_text(hazard);
+    text += fmt::format("expected rocks: {} runs: {}\n  {}\n", runs, ends_text(hazard),
+                        expected_text(*file.hazard, units)) +
+            failure_text(hazard);
     text += hazard.all_failed()
                 ? "  no probability of failure: no run finished\n"
                 : fmt::format("  probability of failure per impact {:.4g}, 95 %: {:.4g} to {:.4g}\n",

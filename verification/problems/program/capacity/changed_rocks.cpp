@@ -128,6 +128,14 @@ void check_positions(const Program& program, Differences& differ) {
   for (const char* const name :
        {"height 4.5 m, spin -1 rad/s, along -0.25 m: 16 runs", "height 4.5 m, spin 3 rad/s, along 0.125 m: 16 runs"})
     differ.contains(fmt::format("map of {}", name), text, fmt::format("\n{}", name));
+  differ.contains("printed ends of spins and positions", text,
+                  "\n  mass 150 kg; speed 3 m/s; height 4.5 m; spin 5 to 7 rad/s; along -0.3 to 0.3 m\n");
+  differ.compare("ends of spins and positions", program.file("positions/capacity.json").at("hazard").at("rocks"),
+                 Json{{"mass", {{"value", 150.0}}},
+                      {"speed", {{"value", 3.0}}},
+                      {"height", {{"value", 4.5}}},
+                      {"spin", {{"from", 5.0}, {"to", 7.0}}},
+                      {"along", {{"from", -0.3}, {"to", 0.3}}}});
   program.run({"sweep", "collect", "positions"});
   const records::Csv placed = compared_sweep(program, "positions", differ),
                      maps = program.csv("positions/capacity.csv");
@@ -156,6 +164,8 @@ void check_positions(const Program& program, Differences& differ) {
   differ.holds("spins and positions are independent",
                std::abs(products / 200.0) < 4.0 * 0.5774 * 0.1753 / std::sqrt(200.0));
   differ.holds("positions of the maps", shift > 0.05 && shift <= 0.0625 && farthest > 0.27);
+  differ.compare("largest change of the position",
+                 program.file("positions/capacity.json").at("changes").at("along").get<double>(), 0.0625);
   differ.compare("rows of four maps", maps.rows(), std::size_t{16});
   differ.holds("spin and position of a node",
                maps.number(0, "spin [rad/s]") == -1.0 && maps.number(4, "along [m]") == 0.125);
@@ -178,7 +188,9 @@ void check_positions(const Program& program, Differences& differ) {
   const std::string sheet = program.read("positions/capacity.html");
   differ.holds("page to print", program.has("positions/capacity.pdf") &&
                                     sheet.find("Probability of failure per impact: ") != std::string::npos &&
-                                    sheet.find("4.5 m, 3 rad/s, at 0.125 m") != std::string::npos);
+                                    sheet.find("4.5 m, 3 rad/s, at 0.125 m") != std::string::npos &&
+                                    sheet.find("mass 150 kg; speed 3 m/s; height 4.5 m; spin 5 to 7 rad/s; along -0.3 "
+                                               "to 0.3 m") != std::string::npos);
 }
 
 void check_us_base(const Program& program, Differences& differ) {
@@ -209,6 +221,7 @@ void check_us_base(const Program& program, Differences& differ) {
                  program.read("of_converted.toml/capacity.csv"));
   program.write("us.csv", "mass [lb],speed [m/s],height [ft]\n2000,10,6\n");
   const std::string text = squeezed(program.run({"capacity", "us.toml"}, {{"--no-plots", {}}}));
+  differ.contains("printed table of rocks", text, "\n rows of us.csv (1)\n");
   const Json us = program.file("us/capacity.json"), expected = us.at("hazard").at("outputs"), own = us.at("rock");
   constexpr double foot = 0.3048, pound = 0.45359237, kip = 1e3 * pound * 9.80665;
   for (const auto& [label, output, unit, size] :
@@ -220,6 +233,7 @@ void check_us_base(const Program& program, Differences& differ) {
                                 of.at("median").at("value").get<double>() / size,
                                 of.at("p95").at("value").get<double>() / size, unit));
   }
+  differ.compare("table of rocks", us.at("hazard").at("rocks"), Json{{"table", "us.csv"}, {"rows", 1}});
   const auto is_near = [](double found, double exact) { return std::abs(found / exact - 1.0) < 1e-12; };
   differ.holds("rock of a base in US units", is_near(own.at("speed").get<double>(), 65.0 * foot) &&
                                                  is_near(own.at("spin").get<double>(), 34.0) &&

@@ -85,6 +85,9 @@ class PrintedCapacity {
 
   const Json& map() const { return all_.at("maps").at(0); }
   const Json& hazard() const { return all_.at("hazard"); }
+  double of_rock(const char* number, const char* part, const Unit& unit) const {
+    return hazard().at("rocks").at(number).at(part).get<double>() / unit.size;
+  }
   static std::string spoken(std::string name) {
     std::ranges::replace(name, '_', ' ');
     return name;
@@ -107,6 +110,11 @@ class PrintedCapacity {
         fmt::format("{} to {}", digits(hazard().at("interval")[0].get<double>()),
                     digits(hazard().at("interval")[1].get<double>())),
         "expected rocks",
+        fmt::format("mass {:.4g} {}; speed {:.4g} {} (95 %), {:.4g} {} (99 %); height {:.4g} {}",
+                    of_rock("mass", "value", first_.mass), first_.mass.name, of_rock("speed", "p95", first_.speed),
+                    first_.speed.name, of_rock("speed", "p99", first_.speed), first_.speed.name,
+                    of_rock("height", "value", first_.length), first_.length.name),
+        "their runs",
         expected,
         "energy",
         fmt::format("every mass of the table is stopped up to {}; none is from {} on",

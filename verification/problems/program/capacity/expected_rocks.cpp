@@ -62,6 +62,10 @@ void check_hazard(const Program& program, Findings& findings, Differences& diffe
                   (probability - exact) / std::sqrt(exact * (1.0 - exact) / runs), 0.0,
                   Tolerance::model(4.0, "in standard deviations of that many runs"));
   differ.compare("runs of the hazard", found.at("runs").get<int>(), runs);
+  differ.compare(
+      "rocks of the hazard", found.at("rocks"),
+      Json{{"mass", {{"value", 200.0}}}, {"speed", {{"p95", p95}, {"p99", p99}}}, {"height", {{"value", 4.5}}}});
+  differ.compare("seed", printed.at("seed").get<int>(), 3);
   differ.holds("interval of the hazard", found.at("interval").at(0).get<double>() < probability &&
                                              found.at("interval").at(1).get<double>() > probability);
 
@@ -93,7 +97,10 @@ void check_drawn_rocks(const Program& program, Findings& findings, Differences& 
                             "speed = {{ p95 = \"9 m/s\", p99 = \"12 m/s\" }}\n"
                             "height = {{ p95 = \"4.6 m\", p99 = \"4.7 m\" }}\nruns = {}\n",
                             runs));
-  program.run({"capacity", "drawn.toml"}, {{"--no-plots", {}}});
+  differ.contains(
+      "printed percentiles of rocks", program.run({"capacity", "drawn.toml"}, {{"--no-plots", {}}}),
+      "\n  mass 300 kg (95 %), 400 kg (99 %); speed 9 m/s (95 %), 12 m/s (99 %); height 4.6 m (95 %), 4.7 m "
+      "(99 %)\n");
   program.run({"sweep", "collect", "drawn"});
   const records::Csv results = compared_sweep(program, "drawn", differ);
   // Standard normal numbers, from the definition of the percentiles.
@@ -121,6 +128,10 @@ void check_drawn_rocks(const Program& program, Findings& findings, Differences& 
   }
   differ.compare("drawn rocks", numbers[0].size(), std::size_t{runs});
   const Json hazard = program.file("drawn/capacity.json").at("hazard");
+  differ.compare("percentiles of rocks", hazard.at("rocks"),
+                 Json{{"mass", {{"p95", 300.0}, {"p99", 400.0}}},
+                      {"speed", {{"p95", 9.0}, {"p99", 12.0}}},
+                      {"height", {{"p95", 4.6}, {"p99", 4.7}}}});
   for (const auto& [end, count] : hazard.at("ends").items())
     differ.compare("ends of expected rocks: " + end, count.get<int>(), ends[end]);
   double quantiles = 0.0;

@@ -371,20 +371,28 @@ void check_margins(const Program& program, Differences& differ) {
   program.write("margins.toml", question(4,
                                          "[hazard]\nmass = \"200 kg\"\nspeed = \"4 m/s\"\nheight = \"4.5 m\"\n"
                                          "runs = 8\n"));
+  constexpr double limit = 4.0 * strength;
   const auto outputs_with = [&](const std::string& option, const std::string& folder) {
     program.write("fence.toml", fence(guided, option));
     const ProgramEnd end = program.end({"capacity", "margins.toml"}, {{"--no-plots", {}}, {"--out", {folder}}});
     differ.contains("printed margin of the hangers", squeezed(end.output),
                     option.empty() ? "hanger force/limit no limit\n" : "hanger force/limit median 0.");
     const records::Csv nodes = program.csv(folder + "/capacity.csv");
-    for (std::size_t row = 0; row < nodes.rows(); ++row)
-      differ.compare("a cell without a limit", nodes.cell(row, "fence.hanger_margin.p95 [1]").empty(), option.empty());
+    for (std::size_t row = 0; row < nodes.rows(); ++row) {
+      for (const char* const of : {"median", "p95"}) {
+        const std::string head = fmt::format("fence.hanger_margin.{} [1]", of);
+        differ.compare("a cell without a limit", nodes.cell(row, head).empty(), option.empty());
+        if (option.empty()) continue;
+        const double share = nodes.number(row, fmt::format("fence.hanger_force.{} [N]", of)) / limit;
+        differ.holds("a margin at a node", std::abs(nodes.number(row, head) / share - 1.0) < 1e-14);
+      }
+    }
     differ.compare("nodes of margins", nodes.rows() > 0, true);
     return program.file(folder + "/capacity.json").at("hazard").at("outputs");
   };
   const auto largest = [](const Json& quantiles) { return quantiles.at("p95").at("value").get<double>(); };
   const Json unlimited = outputs_with("", "margins_without");
-  const double limit = 4.0 * strength, force = largest(unlimited.at("fence.hanger_force"));
+  const double force = largest(unlimited.at("fence.hanger_force"));
   differ.holds("force of the hangers", force > 0.0 && force < limit);
   differ.holds("a margin without a limit", unlimited.at("fence.hanger_margin").is_null());
   const Json limited = outputs_with(fmt::format("hanger_strength = \"{} N\"\n", limit), "margins_with");

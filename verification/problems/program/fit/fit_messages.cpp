@@ -77,11 +77,13 @@ void check_warnings(const Program& program, Differences& differ) {
   differ.contains("line for the scene", alone.output, "in the scene:\n  contact.hit.damping = \"");
   differ.contains("columns without intervals", squeezed(alone.output), "parameter value standard error\n");
   differ.contains("columns", squeezed(both.output), "parameter value standard error 95 %, bootstrap\n");
-  program.write("bound.toml", std::string{heading} + of_speed +
-                                  parameter("contact.hit.damping", "[\"60 N s/m\", \"200 N s/m\"]") + few);
-  const ProgramEnd bound = message("bound.toml");
-  differ.holds("value at a bound", bound.messages.find("contact.hit.damping is at a bound") != std::string::npos &&
-                                       number_after(squeezed(bound.output), "contact.hit.damping [N s/m]") == 60.0);
+  for (const auto& [range, end] :
+       {std::pair{"[\"60 N s/m\", \"200 N s/m\"]", 60.0}, {"[\"1 N s/m\", \"30 N s/m\"]", 30.0}}) {
+    program.write("bound.toml", std::string{heading} + of_speed + parameter("contact.hit.damping", range) + few);
+    const ProgramEnd bound = message("bound.toml");
+    differ.holds("value at a bound", bound.messages.find("contact.hit.damping is at a bound") != std::string::npos &&
+                                         number_after(squeezed(bound.output), "contact.hit.damping [N s/m]") == end);
+  }
   std::string certain = of_speed;
   program.write("certain.toml", std::string{heading} + of_speed + "uncertainty = \"1e-5 m/s\"\n" + of_damping + few);
   differ.contains("a model that does not describe the data", message("certain.toml").messages,

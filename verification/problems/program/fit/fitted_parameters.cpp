@@ -142,6 +142,7 @@ void check_bounce(const Program& program, Findings& findings, Differences& diffe
   const double spread = noisy.at("sum_of_squares").get<double>() / noisy.at("degrees_of_freedom").get<double>();
   findings.expect_between("bouncing ball: variance of the deviations over that of the noise", spread, 0.25, 2.2,
                           "chi-squared with 16 degrees of freedom: 99.9 %");
+  differ.compare("seed of the samples", noisy.at("bootstrap").at("seed").get<int>(), 4);
   differ.compare("title", noisy.at("title").get<std::string>(), std::string{"Ball"});
   const double correlation = noisy.at("correlation").at(0).at(1).get<double>();
   differ.compare("correlations are symmetric", noisy.at("correlation").at(1).at(0).get<double>(), correlation);
