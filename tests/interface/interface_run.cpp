@@ -29,6 +29,7 @@
 #include "solver/threads/parallel_for.hpp"
 #include "tests/interface/known_gaps.hpp"
 #include "tests/interface/tried_items.hpp"
+#include "verification/check/case_file.hpp"
 #include "verification/check/findings.hpp"
 #include "verification/driver/case_list.hpp"
 #include "verification/driver/earlier_record.hpp"
@@ -200,12 +201,29 @@ bool is_used(const std::string& field, const std::set<std::string>& used) {
   return next != used.end() && (*next == field || next->starts_with(field + "."));
 }
 
-/// Names the programs and cases of an audit.
-std::string subject_of(const std::vector<Case>& cases) {
-  std::string text = verification::program_fingerprint({TALUS_BUILT_PROGRAM, TALUS_INTERFACE_TALUS});
+/// Hash of the sources of the program and of the changes. The program itself names the revision, with which it changes.
+std::string program_sources() {
+  const fs::path root{TALUS_SOURCES};
+  return verification::content_hash(
+      {root / "solver", root / "reports", root / "verification/record", root / "tests/interface"});
+}
+
+/// Of each case a hash of the sources in its folder, of those that all cases share, and of the files that cases read.
+std::map<std::string, std::string> sources_of(const std::vector<Case>& cases) {
+  const fs::path root{TALUS_SOURCES}, problems = root / "verification/problems";
+  std::vector<fs::path> shared{verification::case_file("")};
+  for (const char* const folder : {"check", "data", "record", "reference", "study"})
+    shared.push_back(root / "verification" / folder);
+  const std::string of_shared = verification::content_hash(shared);
+  std::map<std::string, std::string> sources;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator{problems}) {
+    const auto found = std::ranges::find(cases, entry.path().stem().string(), &Case::id);
+    if (entry.path().extension() != ".cpp" || found == cases.end()) continue;
+    sources[found->id] = fnv1a(of_shared + verification::content_hash({entry.path().parent_path()}));
+  }
   for (const Case& one : cases)
-    text += " " + one.id;
-  return fnv1a(text);
+    if (!sources.contains(one.id)) throw std::runtime_error(fmt::format("case {} has no file {}.cpp", one.id, one.id));
+  return sources;
 }
 
 int run(const Options& options) {
@@ -246,7 +264,7 @@ int run(const Options& options) {
       items.back().cases.push_back(cases[i].id);
   }
   std::optional<TriedItems> kept;  // of a whole audit
-  if (options.only.empty()) kept.emplace(options.out, subject_of(cases));
+  if (options.only.empty()) kept.emplace(options.out, program_sources(), sources_of(cases));
   std::vector<std::size_t> remaining;
   for (std::size_t i = 0; i < items.size(); ++i)
     if (!kept || !kept->find(items[i])) remaining.push_back(i);
@@ -283,7 +301,6 @@ int run(const Options& options) {
     }
   }
   records::write_interface(items, options.out);
-  if (kept) kept->remove();
   fs::remove_all(scratch);
 
   std::map<InterfaceStatus, std::size_t> counts;

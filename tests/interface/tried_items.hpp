@@ -1,7 +1,8 @@
-/// The items that an audit has tried so far, kept beside its results: an audit takes more than an hour.
+/// The items that audits have tried so far, kept beside their results: an audit of all of them takes hours.
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <mutex>
 #include <string>
 #include <vector>
@@ -10,18 +11,20 @@
 
 namespace talus::interface_audit {
 
+/// Outcomes that still count. One is that of a program; a detected item counts as long as the case that detected it is
+/// the same, another one as long as all cases that use it are, and no other case does.
 class TriedItems {
  public:
-  /// Reads what a stopped audit of the same `subject`, a text of letters and digits that names programs and cases, has
-  /// left beside `results`, and removes what audits of others have. Throws records::FileError and RecordError.
-  TriedItems(const std::filesystem::path& results, const std::string& subject);
+  /// Reads what earlier audits of the same `program`, a text of letters and digits, have left beside `results`, and
+  /// removes what audits of other programs have. `sources`: of each case a text that changes with it, without blanks.
+  /// Throws records::FileError and RecordError.
+  TriedItems(const std::filesystem::path& results, const std::string& program,
+             const std::map<std::string, std::string>& sources);
 
-  /// Gives the item its outcome if it was tried; false if not.
+  /// Gives the item, of which `cases` are known, its outcome if that counts; false if not.
   [[nodiscard]] bool find(records::InterfaceItem& item) const;
   /// Keeps the outcome of an item; thread-safe. Throws records::FileError.
   void add(const records::InterfaceItem& item);
-  /// Removes the file, at the end of an audit.
-  void remove() const;
 
  private:
   std::filesystem::path file_;

@@ -20,9 +20,9 @@ std::string mark_of(const fs::path& folder, const std::string& program) {
 
 }  // namespace
 
-std::string program_fingerprint(const std::vector<fs::path>& read) {
-  std::vector<fs::path> files{"/proc/self/exe"};
-  for (const fs::path& path : read) {
+std::string content_hash(const std::vector<fs::path>& paths) {
+  std::vector<fs::path> files;
+  for (const fs::path& path : paths) {
     if (!fs::is_directory(path)) {
       files.push_back(path);
       continue;
@@ -38,6 +38,12 @@ std::string program_fingerprint(const std::vector<fs::path>& read) {
   for (const fs::path& file : files)
     hashes += file.string() + " " + fnv1a(records::read_whole(file)) + "\n";
   return fnv1a(hashes);
+}
+
+std::string program_fingerprint(const std::vector<fs::path>& read) {
+  std::vector<fs::path> paths{"/proc/self/exe"};
+  paths.insert(paths.end(), read.begin(), read.end());
+  return content_hash(paths);
 }
 
 void mark_record(const fs::path& folder, const std::string& program) {

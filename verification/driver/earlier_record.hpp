@@ -11,6 +11,9 @@
 /// Reuse of records of an earlier run that the same program would only reproduce.
 namespace talus::verification {
 
+/// Hash of files and of the contents of folders, with their names. Errors: records::FileError.
+[[nodiscard]] std::string content_hash(const std::vector<std::filesystem::path>& paths);
+
 /// Hash of this executable and of the files and folder contents that its cases read. Errors: records::FileError.
 [[nodiscard]] std::string program_fingerprint(const std::vector<std::filesystem::path>& read);
 
