@@ -13,7 +13,7 @@ endforeach()
 set(manual)
 foreach(name talus talus-run talus-check talus-advise talus-calibrate talus-capacity talus-cell talus-completion talus-convert talus-fit
              talus-export talus-plot talus-snapshot talus-animate talus-study talus-sweep talus-sweep-plan talus-sweep-run talus-sweep-submit
-             talus-sweep-status talus-sweep-collect talus-sweep-evaluate talus-list talus-new talus_serve)
+             talus-sweep-status talus-sweep-collect talus-sweep-evaluate talus-list talus-new talus_serve talus_vtkhdf)
   string(REGEX REPLACE "-.*" "" program ${name})
   add_custom_command(OUTPUT ${made}/${name}.1
     COMMAND ${PROJECT_SOURCE_DIR}/scripts/manual_page ${made}/${name}.1 ${TALUS_HELP2MAN} $<TARGET_FILE:${program}> ${PROJECT_VERSION}
@@ -50,7 +50,7 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME talus)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "gnuplot-nox, pandoc")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "talus-doc")
-set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "${PROJECT_DESCRIPTION}\nThe programs talus, talus_serve and talus_report.")
+set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "${PROJECT_DESCRIPTION}\nThe programs talus, talus_serve, talus_vtkhdf and talus_report.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libtalus-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS

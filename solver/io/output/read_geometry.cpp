@@ -4,98 +4,15 @@
 
 #include <algorithm>
 #include <charconv>
-#include <pugixml.hpp>
 #include <string>
 #include <string_view>
 
-#include "solver/base/error.hpp"
 #include "solver/io/file/atomic_file.hpp"
-#include "solver/io/file/toml_document.hpp"
+#include "solver/io/file/vtk_file.hpp"
 #include "verification/record/utf8.hpp"
 
 namespace talus {
 namespace {
-
-/// An array of numbers of a VTK file.
-template <class Number>
-struct VtkNumbers {
-  pugi::xml_node node;
-  std::vector<Number> values;
-
-  std::size_t size() const { return values.size(); }
-  Number operator[](std::size_t i) const { return values[i]; }
-};
-
-/// A VTK XML file, read completely. Errors name file, line, section and array.
-class VtkFile {
- public:
-  explicit VtkFile(const std::filesystem::path& path) : name_{path.string()}, text_{read_text(path)} {
-    const pugi::xml_parse_result result = document_.load_buffer(text_.data(), text_.size());
-    if (result) return;
-    fail(line_at(result.offset), fmt::format("not XML: {}", result.description()));
-  }
-
-  [[noreturn]] void report(const pugi::xml_node& node, std::string_view message) const {
-    fail(line_at(node.offset_debug()), message);
-  }
-  /// An error about an array: "Points: array 'Points': found ...".
-  [[noreturn]] void report_array(const pugi::xml_node& array, std::string_view message) const {
-    report(array, array_message(array, message));
-  }
-
-  pugi::xml_node part(const char* path) const {
-    const pugi::xml_node found = document_.first_element_by_path(path);
-    if (!found) report(document_.document_element(), fmt::format("{}: it is missing; `talus run` writes it", path));
-    return found;
-  }
-
-  /// The numbers of an array of the piece, e.g. of section "Points" and name "Points".
-  template <class Number>
-  VtkNumbers<Number> array(const char* section, const char* name) const {
-    const pugi::xml_node piece = part("VTKFile/PolyData/Piece");
-    const pugi::xml_node found = piece.child(section).find_child_by_attribute("DataArray", "Name", name);
-    if (!found) report(piece, fmt::format("{}: array '{}': it is missing; `talus run` writes it", section, name));
-    const pugi::xml_node content = found.first_child();
-    const std::string_view text{found.text().get()};
-    VtkNumbers<Number> numbers{found, {}};
-    for (std::string_view rest = text;;) {
-      rest.remove_prefix(std::min(rest.find_first_not_of(" \n\t\r"), rest.size()));
-      if (rest.empty()) return numbers;
-      Number value{};
-      const auto [end, failure] = std::from_chars(rest.data(), rest.data() + rest.size(), value);
-      if (failure != std::errc{}) {
-        const auto lines = std::count(text.data(), rest.data(), '\n');
-        const std::string_view token = rest.substr(0, std::min<std::size_t>(rest.find_first_of(" \n\t\r"), 20));
-        fail(line_at(content.offset_debug()) + lines,
-             array_message(found, fmt::format("found \"{}\"; it must be a number", records::shown_text(token))));
-      }
-      numbers.values.push_back(value);
-      rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));
-    }
-  }
-
-  /// Demands a number of values in an array, which follows from another one: "24, one for each point".
-  template <class Number>
-  void demand_size(const VtkNumbers<Number>& array, std::size_t size, std::string_view reason) const {
-    if (array.size() == size) return;
-    report_array(array.node, fmt::format("found {} numbers; it must have {}, {}", array.size(), size, reason));
-  }
-
- private:
-  [[noreturn]] void fail(std::ptrdiff_t line, std::string_view message) const {
-    throw InputError{fmt::format("{}:{}: {}", name_, line, message)};
-  }
-  std::string array_message(const pugi::xml_node& array, std::string_view message) const {
-    return fmt::format("{}: array '{}': {}", array.parent().name(), array.attribute("Name").value(), message);
-  }
-  std::ptrdiff_t line_at(std::ptrdiff_t offset) const {
-    const auto size = static_cast<std::ptrdiff_t>(text_.size());
-    return 1 + std::count(text_.begin(), text_.begin() + std::clamp<std::ptrdiff_t>(offset, 0, size), '\n');
-  }
-
-  std::string name_, text_;
-  pugi::xml_document document_;
-};
 
 /// Index of the disc that a point represents, from the point's number; the image of a disc has the negative of its
 /// number. For 0, an index beyond all discs.

@@ -44,6 +44,12 @@ ProgramEnd run_talus(const TemporaryFolder& folder, const std::vector<std::strin
   return {.exit_code = end.status, .output = end.output, .messages = end.messages};
 }
 
+ProgramEnd run_vtkhdf(const TemporaryFolder& folder, const std::vector<std::string>& arguments) {
+  const reports::Finished end =
+      reports::run({.program = TALUS_VTKHDF, .arguments = arguments, .folder = folder.path(), .environment = {}});
+  return {.exit_code = end.status, .output = end.output, .messages = end.messages};
+}
+
 std::string talus_output(const TemporaryFolder& folder, const std::vector<std::string>& arguments,
                          const Environment& environment) {
   const ProgramEnd end = run_talus(folder, arguments, environment);

@@ -45,6 +45,9 @@ using Environment = std::map<std::string, std::string>;
 [[nodiscard]] ProgramEnd run_talus(const TemporaryFolder& folder, const std::vector<std::string>& arguments,
                                    const Environment& environment = {});
 
+/// The same with the program `talus_vtkhdf`.
+[[nodiscard]] ProgramEnd run_vtkhdf(const TemporaryFolder& folder, const std::vector<std::string>& arguments);
+
 /// Standard output of a run that must succeed. Throws std::runtime_error with the arguments and the messages if the
 /// exit status is not 0.
 std::string talus_output(const TemporaryFolder& folder, const std::vector<std::string>& arguments,

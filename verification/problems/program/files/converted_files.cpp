@@ -15,6 +15,7 @@
 #include "verification/check/case.hpp"
 #include "verification/check/case_file.hpp"
 #include "verification/problems/program/files/exported_cells.hpp"
+#include "verification/problems/program/files/vtkhdf_states.hpp"
 #include "verification/problems/program/scenes/toml_values.hpp"
 #include "verification/record/json_node.hpp"
 #include "verification/record/whole_file.hpp"
@@ -407,6 +408,7 @@ void run(Findings& findings, const Setup& setup) {
   if (setup.needs("follow from")) check_derived(folder, findings);
   if (setup.needs("rock")) check_after(folder, findings, setup), check_after_break(folder, findings);
   check_exported_cells(folder, findings, setup);
+  if (setup.needs("VTKHDF")) check_vtkhdf_states(folder, findings, setup);
 }
 
 }  // namespace
@@ -419,7 +421,8 @@ Case definition() {
                           "values of a complete scene that differ after conversion",
                           "plastic elongation of the cables for the third rock, largest relative error",
                           "in.discs: coefficients of the contacts, largest relative error",
-                          "discs.data: total mass of the block's discs over that of the block"},
+                          "discs.data: total mass of the block's discs over that of the block",
+                          "states as VTKHDF: numbers, types and texts that differ"},
           .source =
               "Mustoe & Huttelmaier 1993, Table 2 and sample deck (scenes); Schwager & Poeschel 2007 (clamped contact)",
           .faults = {{"sixteen_digits", "numbers compared after rounding to 16 digits",
@@ -430,6 +433,8 @@ Case definition() {
                       "plastic elongation of the cables for the third rock, largest relative error"},
                      {"other_restitution", "a restitution of the reference too large by 1e-9",
                       "in.discs: coefficients of the contacts, largest relative error"},
+                     {"next_state", "each step compared with the state after it",
+                      "states as VTKHDF: numbers, types and texts that differ"},
                      {"other_shear_modulus", "a shear modulus larger by 1e-6",
                       "in.discs of spheres: moduli and friction, largest relative error"}},
           .run = run};
