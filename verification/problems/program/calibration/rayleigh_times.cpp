@@ -180,12 +180,16 @@ void compare_ranges(const Program& program, const Spheres& spheres, double speed
 /// Pairs of different moduli that share their spheres, and impacts that do not end.
 void compare_other_ranges(const Program& program, const Spheres& spheres, Worst& worst, Differences& differ) {
   const reference::ElasticMaterial soft{0.01 * spheres.material.young_modulus, spheres.material.poisson_ratio};
-  program.write("moduli.csv", fmt::format("modulus [Pa],speed [m/s]\n{},0.1\n{},0.1\n{},0.1\n", soft.contact_modulus(),
-                                          spheres.material.contact_modulus(), soft.contact_modulus()));
+  const std::array moduli{soft.contact_modulus(), spheres.material.contact_modulus(), soft.contact_modulus()};
+  program.write("moduli.csv",
+                fmt::format("modulus [Pa],speed [m/s]\n{},0.1\n{},0.1\n{},0.1\n", moduli[0], moduli[1], moduli[2]));
   Options options = hertz_options(spheres, true, 1.0);
   std::erase_if(options, [](const Option& option) { return option.first == "--modulus" || option.first == "--speed"; });
   options = with(options, {{"--pairs", {"moduli.csv"}}, {"--bound", {"0.05"}}, ratio_option(soft.poisson_ratio)});
-  compare_time(program.json({"calibrate"}, with(options, {{"--json", {}}})), spheres, program.setup(), worst);
+  const Json of_moduli = program.json({"calibrate"}, with(options, {{"--json", {}}}));
+  compare_time(of_moduli, spheres, program.setup(), worst);
+  for (std::size_t i = 0; i < moduli.size(); ++i)
+    differ.compare("modulus of a pair", of_moduli.at("pairs").at(i).at("modulus").get<double>(), moduli[i]);
 
   const Options endless{{"--law", {"hertz"}},
                         {"--restitution", {"0.5"}},

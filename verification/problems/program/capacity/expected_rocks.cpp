@@ -81,6 +81,7 @@ void check_hazard(const Program& program, Findings& findings, Differences& diffe
   findings.expect("expected rocks: probability of failure of a table, deviation from one half",
                   (table.at("probability_of_failure").get<double>() - 0.5) / std::sqrt(0.25 / 200.0), 0.0,
                   Tolerance::model(4.0, "in standard deviations of 200 runs"));
+  differ.compare("rocks of a table", table.at("rocks"), Json{{"table", "rocks.csv"}, {"rows", 2}});
   const Json& forces = table.at("outputs").at("fence.cable_force");
   differ.holds("force that broke the cable",
                std::abs(forces.at("p95").at("value").get<double>() / strength - 1.0) < 0.01);

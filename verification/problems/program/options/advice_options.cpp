@@ -195,6 +195,9 @@ void check_advised_scenes(const Program& program, Differences& differ) {
   differ.compare("advise: evaluations of an advised fence with step control",
                  program.json({"run", "controlled.toml", "--json"}).at("evaluations"),
                  controlled.at("advice").at("evaluations"));
+  for (const Json& of : {controlled.at("advice"), controlled.at("tried").at(0)})
+    differ.compare("advise: tolerance of the written fence", of.at("tolerance").get<double>(),
+                   number_after(program.read("controlled.toml"), "\ntolerance = "));
   // A run that ends when its rock has passed: trials end there, too.
   program.write("exit.toml", deck + "\n[fence.options]\nend = \"exit\"\nexit_x = \"2.19 ft\"\n");
   const auto evaluations = [&](const char* file, const char* out) {
