@@ -94,13 +94,9 @@ class Lines {
       add("", fmt::format("closest to its limit: {}, {:.1f} %", cable_name(closest), 100.0 * closest.margin()));
     }
     if (fence.columns.empty()) return;
-    const scenes::ColumnRecord& hanger = *fence.largest_hanger();
+    const scenes::ColumnRecord& hanger = *fence.largest_hanger();  // all have one limit
     add("hanger", fmt::format("{} {}, {}: {}", value(hanger.hanger.peak, dimension::force), at(hanger.hanger.peak_time),
                               record_.bodies[index(hanger.body)].name, margin(hanger.margin())));
-    if (const scenes::ColumnRecord& closest = *fence.closest_hanger(); &closest != &hanger && closest.margin() > 0.0) {
-      add("", fmt::format("closest to its limit: {}, {:.1f} %", record_.bodies[index(closest.body)].name,
-                          100.0 * closest.margin()));
-    }
   }
 
   const std::string& cable_name(const scenes::SegmentRecord& segment) const {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "verification/record/csv.hpp"
 #include "verification/record/json_node.hpp"
 #include "verification/study/findings/expectations.hpp"
 
@@ -57,6 +58,31 @@ void check_animation_page(const TemporaryFolder& folder, Findings& findings, con
       compare(cables, cable.at(6).number(), tensions.at(line), 1e5);
     }
   }
+  // Charts are of history.csv, which has a row for each state.
+  const records::Csv history = records::read_csv(folder.path() / "out/history.csv");
+  const std::vector<double> times = column(history, "time");
+  double charts = 0.0;
+  std::size_t energies = 0, tensions = 0;
+  for (const Node& chart : player.at("charts").list()) {
+    for (const Node& series : chart.at("series").list()) {
+      const std::string name = series.at("name").text();
+      energies += name.starts_with("energy.") ? 1 : 0, tensions += name.ends_with(".tension") ? 1 : 0;
+      const std::vector<double> values = column(history, name);
+      double scale = 0.0;
+      for (const double value : values)
+        keep_largest(scale, value);
+      const std::vector<Node> at = series.at("at").list();
+      for (std::size_t f = 0; f < std::min(at.size(), states.size()); ++f) {
+        const auto row = std::ranges::min_element(times, {}, [&](double t) { return std::abs(t - states[f].time); });
+        compare(charts, at[f].number(), values[static_cast<std::size_t>(row - times.begin())], scale);
+      }
+      keep_worst(charts, static_cast<double>(at.size()) - static_cast<double>(states.size()));
+    }
+  }
+  findings.expect_true("animation: charts of energies and of tensions", energies > 3 && tensions > 1,
+                       "the run has both, in history.csv alone");
+  findings.expect("animation: values of the charts at the states, over the largest, largest error", charts, 0.0,
+                  Tolerance::model(5.1e-6, "half a unit of the sixth digit"));
   findings.expect("animation: outlines of the bodies, largest error", outlines, 0.0,
                   Tolerance::model(1.5e-5, "six digits: 5e-6 for each of two lengths and for an angle of up to 3.2"));
   findings.expect("animation: ends and tensions of the cables, largest error", cables, 0.0,

@@ -398,11 +398,25 @@ void check_after(const TemporaryFolder& folder, Findings& findings, const Setup&
                   Tolerance::round_off(1e-15, "the sum of two equal numbers"));
 }
 
+/// Values beyond those of a record are not read, nor what is left of a repeat: the next record begins a line.
+void check_repeats(const TemporaryFolder& folder, Findings& findings) {
+  std::string deck = records::read_whole(case_file("fence/sample2.DAT"));
+  folder.write("plain.DAT", deck);
+  replace(deck, "51 52 48 6 7 8 35 36 0", "51 52 48 6 7 8 35 36 9*0");
+  folder.write("repeats.DAT", deck);
+  for (const std::string name : {"plain", "repeats"})
+    (void)talus_output(folder, {"convert", name + ".DAT", name + ".toml"});
+  findings.expect_true("deck with repeats beyond the end of a record: the same scene",
+                       folder.read("plain.toml") == folder.read("repeats.toml"),
+                       "FORTRAN 77, list-directed READ: each READ begins a new record");
+}
+
 void run(Findings& findings, const Setup& setup) {
   const auto group = findings.in("converted");
   const TemporaryFolder folder;
   if (setup.needs("of the scene")) check_deck(folder, findings, setup);
   if (setup.needs("values")) check_fields(folder, findings, setup);
+  if (setup.needs("repeats")) check_repeats(folder, findings);
   if (setup.needs("title")) check_title(folder, findings);
   if (setup.needs("cannot express")) check_refused_decks(folder, findings);
   if (setup.needs("follow from")) check_derived(folder, findings);
