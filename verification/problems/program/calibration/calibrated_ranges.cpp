@@ -485,8 +485,8 @@ void compare_dissimilar_pairs(const Program& program, WorstRange& worst) {
   keep_largest(worst.coarser, json.at("step").get<double>() / number_after(alone, "\n  step "));
 }
 
-/// Two speeds of a Hertzian contact with a constant dashpot: the fast impact requires the step, at which the estimate of
-/// the error of the slow one is larger by 5 %. The error of both is the larger of the two.
+/// Two speeds of a Hertzian contact with a constant dashpot: the fast impact requires the step, at which the slow one
+/// has an estimated error that is larger by 5 %. The error of both is the larger of the two.
 void compare_second_error(const Program& program, Differences& differ) {
   const auto calibrated = [&](const std::string& speeds) {
     program.write("pairs.csv", "mass_2 [kg],speed [m/s]\n" + speeds);
