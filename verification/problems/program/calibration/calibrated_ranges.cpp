@@ -490,9 +490,11 @@ void compare_dissimilar_pairs(const Program& program, WorstRange& worst) {
 void compare_second_error(const Program& program, Differences& differ) {
   const auto calibrated = [&](const std::string& speeds) {
     program.write("pairs.csv", "mass_2 [kg],speed [m/s]\n" + speeds);
-    return program.json({"calibrate", "--law", "hertz", "--modulus", "1e8 Pa", "--radius", "0.05 m", "--dashpot",
-                         "constant", "--end-rule", "attractive", "--integrator", "velocity_verlet", "--bound", "0.02",
-                         "--damping", "200 N s/m", "--restitution", "0.5", "--pairs", "pairs.csv", "--json"});
+    return program.json({"calibrate",  "--law",        "hertz",           "--modulus", "1e8 Pa",
+                         "--radius",   "0.05 m",       "--dashpot",       "constant",  "--end-rule",
+                         "attractive", "--integrator", "velocity_verlet", "--bound",   "0.02",
+                         "--damping",  "200 N s/m",    "--restitution",   "0.5",       "--pairs",
+                         "pairs.csv",  "--json"});
   };
   const Json alone = calibrated("1,3\n"), both = calibrated("1,3\n1,1.5\n");
   differ.compare("step of the faster impact", both.at("step"), alone.at("step"));
