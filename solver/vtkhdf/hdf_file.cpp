@@ -1,15 +1,13 @@
 #include "solver/vtkhdf/hdf_file.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
-#include <system_error>
 #include <utility>
 
 #include "solver/base/error.hpp"
+#include "solver/io/file/atomic_file.hpp"
 
 namespace talus {
 namespace {
@@ -38,30 +36,22 @@ hsize_t chunk_rows(std::size_t rows, std::size_t columns) {
 
 }  // namespace
 
-HdfFile::HdfFile(fs::path file)
-    : file_{std::move(file)}, temporary_{fmt::format("{}.{}.tmp", file_.string(), ::getpid())} {
+HdfFile::HdfFile(fs::path file) : file_{std::move(file)} {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // errors are thrown, not printed
-  errno = 0;
   const hid_t creation = H5Pcreate(H5P_FILE_CREATE), access = H5Pcreate(H5P_FILE_ACCESS);
   H5Pset_obj_track_times(creation, false);
-  H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_V18);
-  id_ = H5Fcreate(temporary_.c_str(), H5F_ACC_TRUNC, creation, access);
+  constexpr std::size_t increment = 1 << 20;
+  H5Pset_fapl_core(access, increment, false);
+  id_ = H5Fcreate(file_.c_str(), H5F_ACC_TRUNC, creation, access);
   H5Pclose(creation), H5Pclose(access);
   if (id_ < 0) fail();
 }
 
 HdfFile::~HdfFile() {
-  if (id_ == H5I_INVALID_HID) return;
-  close_handles();
-  std::error_code ignored;
-  fs::remove(temporary_, ignored);
+  if (id_ != H5I_INVALID_HID) close_handles();
 }
 
-void HdfFile::fail() const {
-  const int reason = errno;
-  throw IoError{fmt::format("{}: {}", file_.string(),
-                            reason == 0 ? "the file cannot be written" : std::generic_category().message(reason))};
-}
+void HdfFile::fail() const { throw IoError{fmt::format("{}: HDF5 cannot make the file", file_.string())}; }
 
 hid_t HdfFile::checked(hid_t result) const {
   if (result < 0) fail();
@@ -116,7 +106,6 @@ HdfFile::Table& HdfFile::table(const std::string& path, HdfType type, std::size_
 
 void HdfFile::write(const std::string& path, HdfType type, hid_t memory_type, const void* numbers, std::size_t count,
                     std::size_t columns) {
-  errno = 0;
   Table& to = table(path, type, columns, count / columns);
   if (count == 0) return;
   const int rank = columns == 1 ? 1 : 2;
@@ -148,16 +137,13 @@ void HdfFile::close_handles() {
 }
 
 void HdfFile::close() {
-  errno = 0;
-  // What is in memory is written here; an error shows while the handle can still be closed by the destructor.
   if (H5Fflush(id_, H5F_SCOPE_LOCAL) < 0) fail();
+  const ssize_t size = H5Fget_file_image(id_, nullptr, 0);
+  if (size < 0) fail();
+  std::string image(static_cast<std::size_t>(size), '\0');
+  if (H5Fget_file_image(id_, image.data(), image.size()) < 0) fail();
   close_handles();
-  std::error_code reason;
-  fs::rename(temporary_, file_, reason);
-  if (!reason) return;
-  std::error_code ignored;
-  fs::remove(temporary_, ignored);
-  throw IoError{fmt::format("{}: {}", file_.string(), reason.message())};
+  write_whole(file_, image);
 }
 
 }  // namespace talus

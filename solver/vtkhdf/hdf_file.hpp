@@ -13,15 +13,14 @@ namespace talus {
 /// Types of the numbers in a file, all little-endian.
 enum class HdfType { float64, int64, int32, uint8 };
 
-/// A new HDF5 file of groups, attributes, and tables to which rows are appended. It appears under its name, complete,
-/// when it is closed; until then it has a temporary name in the same folder. The same calls give the same bytes: no
-/// times are stored. Errors of all functions: IoError with the file and the system's reason.
+/// A new HDF5 file of groups, attributes, and tables to which rows are appended. It is made in memory: the library of
+/// HDF5 1.10 ends the process by a signal if the disk is full. It appears complete, or not at all, when it is closed.
+/// The same calls give the same bytes: no times are stored. Errors of all functions: IoError with the file.
 class HdfFile {
  public:
   explicit HdfFile(std::filesystem::path file);
   HdfFile(const HdfFile&) = delete;
   HdfFile& operator=(const HdfFile&) = delete;
-  /// Removes what was written, unless close() was called.
   ~HdfFile();
 
   /// Creates a group, "/a/b", in one that exists.
@@ -35,6 +34,7 @@ class HdfFile {
   void append(const std::string& path, const std::vector<double>& numbers, std::size_t columns = 1);
   void append(const std::string& path, HdfType type, const std::vector<std::int64_t>& numbers, std::size_t columns = 1);
 
+  /// Writes the file. Errors: IoError with the system's reason; the file then has its previous content.
   void close();
 
  private:
@@ -49,7 +49,7 @@ class HdfFile {
   [[noreturn]] void fail() const;
   hid_t checked(hid_t result) const;
 
-  std::filesystem::path file_, temporary_;
+  std::filesystem::path file_;
   hid_t id_{H5I_INVALID_HID};
   std::map<std::string, Table> tables_;
 };

@@ -60,14 +60,10 @@ BOOST_AUTO_TEST_CASE(a_file_appears_when_it_is_closed) {
 
 BOOST_AUTO_TEST_CASE(errors_name_the_file_and_the_reason) {
   const Folder folder;
-  const auto says = [](const std::string& text) {
-    return [text](const IoError& error) { return std::string{error.what()}.ends_with(text); };
-  };
-  BOOST_CHECK_EXCEPTION(HdfFile(folder.path / "none/a.h5"), IoError, says("none/a.h5: No such file or directory"));
-  std::filesystem::create_directory(folder.path / "folder.h5");
-  folder.file("folder.h5/x", "");
-  HdfFile file{folder.path / "folder.h5"};
-  BOOST_CHECK_EXCEPTION(file.close(), IoError, says("folder.h5: Is a directory"));
+  HdfFile file{folder.path / "none/a.h5"};
+  BOOST_CHECK_EXCEPTION(file.close(), IoError, [](const IoError& error) {
+    return std::string{error.what()}.ends_with("none/a.h5: No such file or directory");
+  });
 }
 
 BOOST_AUTO_TEST_SUITE_END()
