@@ -80,6 +80,10 @@ BOOST_AUTO_TEST_CASE(wrong_requests_and_files_are_refused) {
   BOOST_TEST(named.err.find("it must end with .vtkhdf, by which ParaView knows the format") != std::string::npos);
   BOOST_TEST(vtkhdf({run.index()}).code == 2);
   BOOST_TEST(vtkhdf({run.out() + "/none.pvd", "--out", run.file()}).code == 4);
+  fs::create_symlink("/dev/full", run.file());
+  const Ended full = vtkhdf({run.index(), "--out", run.file()});
+  BOOST_TEST(full.code == 4);  // the library of HDF5 would end it by a signal
+  BOOST_TEST(full.err == "talus_vtkhdf: " + run.file() + ": No space left on device\n");
   BOOST_TEST(vtkhdf({run.index(), "--out", run.out() + "/none/states.vtkhdf"}).code == 4);
 }
 
