@@ -278,7 +278,8 @@ void check_written_cells(const TemporaryFolder& folder, Findings& findings, cons
   std::string shorter = written_cells(setup).front().text;
   const std::size_t line = shorter.find("shear_stiffness");
   folder.write("default.toml", shorter.erase(line, shorter.find('\n', line) + 1 - line));
-  const Json summary = Json::parse(talus_output(folder, {"cell", "default.toml", "--json"}));
+  const Json summary = Json::parse(talus_output(folder, {"cell", "default.toml", "--json", "--out", "default"}));
+  others += summary == records::read_json(folder.path() / "default/summary.json") ? 0.0 : 1.0;
   parameters += summary.at("parameters").at("shear_stiffness").get<double>() == 17000.0 ? 0.0 : 1.0;
   findings.expect("parameters of cells that differ from their scenes", parameters, 0.0,
                   Tolerance::exact("every field of a cell, with all bits or to the last bits of a quotient"));
