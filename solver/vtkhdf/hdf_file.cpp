@@ -42,7 +42,8 @@ HdfFile::HdfFile(fs::path file) : file_{std::move(file)} {
   H5Pset_obj_track_times(creation, false);
   constexpr std::size_t increment = 1 << 20;
   H5Pset_fapl_core(access, increment, false);
-  id_ = H5Fcreate(file_.c_str(), H5F_ACC_TRUNC, creation, access);
+  // A name that no file has: the library reads one that exists.
+  id_ = H5Fcreate((file_ / "memory").c_str(), H5F_ACC_TRUNC, creation, access);
   H5Pclose(creation), H5Pclose(access);
   if (id_ < 0) fail();
 }
@@ -106,7 +107,9 @@ HdfFile::Table& HdfFile::table(const std::string& path, HdfType type, std::size_
 
 void HdfFile::write(const std::string& path, HdfType type, hid_t memory_type, const void* numbers, std::size_t count,
                     std::size_t columns) {
+  if (columns == 0 || count % columns != 0) fail();
   Table& to = table(path, type, columns, count / columns);
+  if (to.columns != columns) fail();
   if (count == 0) return;
   const int rank = columns == 1 ? 1 : 2;
   const std::array<hsize_t, 2> begin{to.rows, 0}, size{count / columns, columns};

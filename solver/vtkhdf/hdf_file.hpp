@@ -2,6 +2,7 @@
 
 #include <hdf5.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -14,7 +15,8 @@ namespace talus {
 enum class HdfType { float64, int64, int32, uint8 };
 
 /// A new HDF5 file of groups, attributes, and tables to which rows are appended. It is made in memory: the library of
-/// HDF5 1.10 ends the process by a signal if the disk is full. It appears complete, or not at all, when it is closed.
+/// HDF5 1.10 ends the process by a signal if the disk is full. This takes twice its size. It appears complete, or not
+/// at all, when it is closed.
 /// The same calls give the same bytes: no times are stored. Errors of all functions: IoError with the file.
 class HdfFile {
  public:

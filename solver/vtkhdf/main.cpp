@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <new>
 #include <string>
 
 #include "solver/base/error.hpp"
@@ -59,9 +61,12 @@ int run(int count, const char* const* arguments) {
       });
     }
     fmt::print("{}\n", options.file);
+    if (std::fflush(stdout) != 0) return fail(app::io_failed, "standard output: it cannot be written");
     return app::ok;
   } catch (const InputError& wrong) {
     return fail(app::bad_input, wrong.what());
+  } catch (const std::bad_alloc&) {
+    return fail(app::io_failed, "not enough memory: it takes twice the size of the file");
   } catch (const std::exception& wrong) {
     return fail(app::io_failed, wrong.what());
   }

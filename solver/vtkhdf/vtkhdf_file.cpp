@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -90,7 +91,8 @@ class VtkHdfSeries {
   std::size_t add_cells(const VtkFile& vtk, std::size_t kind, std::size_t points) {
     const Topology& topology = topologies[kind];
     Numbers connectivity, offsets{0};
-    if (vtk.piece().attribute(topology.count).as_ullong() > 0) {
+    const std::size_t number = vtk.piece().attribute(topology.count).as_ullong();
+    if (number > 0) {
       const auto ids = vtk.array<std::int64_t>(topology.section, "connectivity"),
                  ends = vtk.array<std::int64_t>(topology.section, "offsets");
       connectivity = ids.values;
@@ -103,6 +105,10 @@ class VtkHdfSeries {
                            fmt::format("found {}; it must be in {} .. {}", end, offsets.back(), connectivity.size()));
         offsets.push_back(end);
       }
+      vtk.demand_size(ends, number, "one for each cell");
+      if (offsets.back() != static_cast<std::int64_t>(connectivity.size()))
+        vtk.report_array(ends.node, fmt::format("the last is {}; it must be the number of points of all cells, {}",
+                                                offsets.back(), connectivity.size()));
     }
     const std::size_t cells = offsets.size() - 1;
     const std::string group = std::string{topology.group} + "/";
@@ -117,25 +123,48 @@ class VtkHdfSeries {
   /// All arrays of points or cells, those of the first state.
   void add_data(const VtkFile& vtk, const char* section, std::size_t rows, std::vector<DataName>& known,
                 std::int64_t offset) {
+    const auto arrays = vtk.piece().child(section).children("DataArray");
     std::vector<DataName> names;
-    for (const pugi::xml_node& array : vtk.piece().child(section).children("DataArray")) {
-      const DataName name = name_of(vtk, array);
-      names.push_back(name);
-      const std::string path = fmt::format("/VTKHDF/{}/{}", section, name.name), what = "one for each point or cell";
-      if (name.type == HdfType::float64) {
-        const auto numbers = vtk.numbers<double>(array);
-        vtk.demand_size(numbers, rows * name.components, what);
-        hdf_.append(path, numbers.values, name.components);
-      } else {
-        const auto numbers = vtk.numbers<std::int64_t>(array);
-        vtk.demand_size(numbers, rows * name.components, what);
-        hdf_.append(path, name.type, numbers.values, name.components);
-      }
-      append(fmt::format("Steps/{}Offsets/{}", section, name.name), {offset});
+    for (const pugi::xml_node& array : arrays) {
+      names.push_back(name_of(vtk, array));
+      if (std::ranges::count(names, names.back().name, &DataName::name) > 1)
+        vtk.report_array(array, "found a second array of this name; remove one");
     }
     if (steps_ == 0) known = names;
     if (names != known)
       vtk.report(vtk.piece(), fmt::format("{}: the arrays must be those of the first state", section));
+    auto name = names.begin();
+    for (const pugi::xml_node& array : arrays) {
+      add_array(vtk, array, section, *name, rows);
+      append(fmt::format("Steps/{}Offsets/{}", section, name->name), {offset});
+      ++name;
+    }
+  }
+
+  void add_array(const VtkFile& vtk, const pugi::xml_node& array, const char* section, const DataName& name,
+                 std::size_t rows) {
+    const std::string path = fmt::format("/VTKHDF/{}/{}", section, name.name), what = "one for each point or cell";
+    if (name.type == HdfType::float64) {
+      const auto numbers = vtk.numbers<double>(array);
+      vtk.demand_size(numbers, rows * name.components, what);
+      hdf_.append(path, numbers.values, name.components);
+      return;
+    }
+    const auto numbers = vtk.numbers<std::int64_t>(array);
+    vtk.demand_size(numbers, rows * name.components, what);
+    const auto [low, high] = range_of(name.type);
+    for (const std::int64_t number : numbers.values)
+      if (number < low || number > high)
+        vtk.report_array(array, fmt::format("found {}; it must be in {} .. {}", number, low, high));
+    hdf_.append(path, name.type, numbers.values, name.components);
+  }
+
+  /// The whole numbers that a type has.
+  static std::pair<std::int64_t, std::int64_t> range_of(HdfType type) {
+    if (type == HdfType::uint8) return {0, 255};
+    if (type == HdfType::int32)
+      return {std::numeric_limits<std::int32_t>::min(), std::numeric_limits<std::int32_t>::max()};
+    return {std::numeric_limits<std::int64_t>::min(), std::numeric_limits<std::int64_t>::max()};
   }
 
   static DataName name_of(const VtkFile& vtk, const pugi::xml_node& array) {
@@ -167,6 +196,11 @@ class VtkHdfSeries {
 void write_vtkhdf(const std::filesystem::path& index, const std::filesystem::path& file,
                   const std::function<void(std::size_t, std::size_t)>& progress) {
   const std::vector<GeometryFile> states = read_geometry_index(index);
+  // Before the states are read: the file is written at the end.
+  const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
+  if (!std::filesystem::is_directory(folder))
+    throw IoError{fmt::format("{}: the folder {} does not exist; create it", file.string(), folder.string())};
+  if (std::filesystem::is_directory(file)) throw IoError{fmt::format("{}: it is a folder; name a file", file.string())};
   VtkHdfSeries series{file};
   for (std::size_t i = 0; i < states.size(); ++i) {
     series.add(states[i]);

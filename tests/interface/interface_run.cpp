@@ -2,6 +2,7 @@
 /// columns and members of its files), one at a time, and runs the cases that use it.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -85,6 +86,7 @@ Trial tried(const Case& one, const std::string& item, const fs::path& folder) {
   if (child < 0) throw std::runtime_error("no process for a case");
   if (child == 0) {
     ::setpgid(0, 0);
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
     const rlimit time{120, 121};
     ::setrlimit(RLIMIT_CPU, &time);
     ::setenv("TMPDIR", (folder / "tmp").c_str(), 1);
@@ -204,8 +206,10 @@ bool is_used(const std::string& field, const std::set<std::string>& used) {
 /// Hash of the sources of the program and of the changes. The program itself names the revision, with which it changes.
 std::string program_sources() {
   const fs::path root{TALUS_SOURCES};
-  return verification::content_hash(
-      {root / "solver", root / "reports", root / "verification/record", root / "tests/interface"});
+  const fs::path tool = root / "tests/interface";
+  return verification::content_hash({root / "solver", root / "reports", root / "verification/record",
+                                     tool / "interface_run.cpp", tool / "interface_talus.cpp",
+                                     tool / "interface_text.cpp", tool / "interface_text.hpp"});
 }
 
 /// Of each case a hash of the sources in its folder, of those that all cases share, and of the files that cases read.

@@ -58,7 +58,11 @@ TriedItems::TriedItems(const fs::path& results, const std::string& program, cons
                                                   : !std::ranges::all_of(item.cases, is_same);
   });
   // In this order: items that do not count must be gone before their cases count as the same.
-  if (!items_.empty()) records::write_interface(items_, file_);
+  if (items_.empty()) {
+    fs::remove(file_);
+  } else {
+    records::write_interface(items_, file_);
+  }
   std::string lines;
   for (const auto& [id, source] : sources)
     lines += fmt::format("{} {}\n", id, source);

@@ -50,7 +50,8 @@ BOOST_AUTO_TEST_CASE(a_detected_item_counts_while_the_case_that_detected_it_is_t
   TriedItems{results, "1f", {{"run_files", "a1"}, {"cell_files", "b1"}}}.add(tried);
   BOOST_TEST(found({{"run_files", "a1"}, {"cell_files", "b2"}}, item));
   BOOST_TEST(!found({{"run_files", "a2"}, {"cell_files", "b2"}}, item));
-  BOOST_TEST(!found({{"run_files", "a1"}, {"cell_files", "b2"}}, item));  // it is gone for good
+  BOOST_TEST(!found({{"run_files", "a2"}, {"cell_files", "b2"}}, item));  // it is gone for good
+  BOOST_TEST(!found({{"run_files", "a1"}, {"cell_files", "b2"}}, item));
 }
 
 BOOST_AUTO_TEST_CASE(another_outcome_counts_while_all_cases_that_use_the_item_are_the_same) {

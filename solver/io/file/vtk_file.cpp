@@ -45,11 +45,11 @@ pugi::xml_node VtkFile::node_of(const char* section, const char* name) const {
   return found;
 }
 
-void VtkFile::report_token(const pugi::xml_node& array, std::string_view text, std::string_view rest) const {
-  const auto lines = std::count(text.data(), rest.data(), '\n');
-  const std::string_view token = rest.substr(0, std::min<std::size_t>(rest.find_first_of(" \n\t\r"), 20));
-  fail(line_at(array.first_child().offset_debug()) + lines,
-       array_message(array, fmt::format("found \"{}\"; it must be a number", records::shown_text(token))));
+void VtkFile::report_token(const pugi::xml_node& array, std::string_view text, std::string_view token) const {
+  const auto lines = std::count(text.data(), token.data(), '\n');
+  fail(
+      line_at(array.first_child().offset_debug()) + lines,
+      array_message(array, fmt::format("found \"{}\"; it must be a number", records::shown_text(token.substr(0, 20)))));
 }
 
 void VtkFile::report_size(const pugi::xml_node& array, std::size_t found, std::size_t size,

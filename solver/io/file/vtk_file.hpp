@@ -7,6 +7,7 @@
 #include <pugixml.hpp>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 namespace talus {
@@ -51,11 +52,12 @@ class VtkFile {
     for (std::string_view rest = text;;) {
       rest.remove_prefix(std::min(rest.find_first_not_of(" \n\t\r"), rest.size()));
       if (rest.empty()) return found;
+      const std::string_view token = rest.substr(0, rest.find_first_of(" \n\t\r"));
       Number value{};
-      const auto [end, failure] = std::from_chars(rest.data(), rest.data() + rest.size(), value);
-      if (failure != std::errc{}) report_token(array, text, rest);
+      const auto [end, failure] = std::from_chars(token.data(), token.data() + token.size(), value);
+      if (failure != std::errc{} || end != token.data() + token.size()) report_token(array, text, token);
       found.values.push_back(value);
-      rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));
+      rest.remove_prefix(token.size());
     }
   }
 
@@ -67,8 +69,8 @@ class VtkFile {
 
  private:
   [[nodiscard]] pugi::xml_node node_of(const char* section, const char* name) const;
-  /// What `rest` of an array's text begins with is not a number.
-  [[noreturn]] void report_token(const pugi::xml_node& array, std::string_view text, std::string_view rest) const;
+  /// A token of an array's text is not a number.
+  [[noreturn]] void report_token(const pugi::xml_node& array, std::string_view text, std::string_view token) const;
   [[noreturn]] void report_size(const pugi::xml_node& array, std::size_t found, std::size_t size,
                                 std::string_view reason) const;
   [[noreturn]] void fail(std::ptrdiff_t line, std::string_view message) const;

@@ -55,16 +55,27 @@ BOOST_AUTO_TEST_CASE(wrong_requests_and_files_are_refused) {
   };
   for (const Wrong& wrong :
        {Wrong{"Name=\"tension\"", "Name=\"pull\"", "CellData: the arrays must be those of the first state"},
-        {"type=\"Float64\" Name=\"tension\"", "type=\"Int32\" Name=\"tension\"", "CellData: array 'tension': found \""},
+        {"type=\"Float64\" Name=\"tension\"", "type=\"Int32\" Name=\"tension\"",
+         "CellData: the arrays must be those of the first state"},
         {"type=\"Float64\" Name=\"tension\"", "type=\"Float16\" Name=\"tension\"",
          "CellData: array 'tension': found type \"Float16\"; it must be Float64, Int64, Int32 or UInt8"},
         {"Name=\"tension\" NumberOfComponents=\"1\"", "Name=\"tension\" NumberOfComponents=\"10\"",
          "CellData: array 'tension': found 10 components; there must be 1 to 9"},
         {"Name=\"tension\" NumberOfComponents=\"1\"", "Name=\"tension\" NumberOfComponents=\"2\"",
-         "CellData: array 'tension': found 4 numbers; it must have 8, one for each point or cell"},
+         "CellData: the arrays must be those of the first state"},
         {"Name=\"tension\"", "Name=\"a/b\"",
          "CellData: array 'a/b': found a name that is empty, a point, or has a slash; it must be another one"},
         {"\n0 1 2 3 ", "\n0 1 2 999 ", "Lines: array 'connectivity': found point 999; it must be below 198"},
+        {"NumberOfLines=\"4\"", "NumberOfLines=\"5\"", "Lines: array 'offsets': found 4 numbers; it must have 5"},
+        {"\n97 194 196 198 ", "\n97 194 196 197 ",
+         "Lines: array 'offsets': the last is 197; it must be the number of points of all cells, 198"},
+        {"\n0 0 0 0 \n</DataArray>\n</CellData>", "\n0 0 300 0 \n</DataArray>\n</CellData>",
+         "CellData: array 'slack': found 300; it must be in 0 .. 255"},
+        {"\n0 0 0 0 \n</DataArray>\n</CellData>", "\n0 0 0 \n</DataArray>\n</CellData>",
+         "CellData: array 'slack': found 3 numbers; it must have 4, one for each point or cell"},
+        {"\n0 0 0 0 \n</DataArray>\n</CellData>", "\n0 0 1.5 0 \n</DataArray>\n</CellData>",
+         "CellData: array 'slack': found \"1.5\"; it must be a number"},
+        {"Name=\"cable\"", "Name=\"body\"", "CellData: array 'body': found a second array of this name; remove one"},
         {"\n97 194 ", "\n97 96 ", "Lines: array 'offsets': found 96; it must be in 97 .. 198"}}) {
     talus::records::write_whole(run.last(), replaced(good, wrong.from, wrong.to));
     const Ended ended = vtkhdf({run.index(), "--out", run.file()});
