@@ -199,7 +199,7 @@ void write_vtkhdf(const std::filesystem::path& index, const std::filesystem::pat
   // Before the states are read: the file is written at the end.
   const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
   if (!std::filesystem::is_directory(folder))
-    throw IoError{fmt::format("{}: the folder {} does not exist; create it", file.string(), folder.string())};
+    throw IoError{fmt::format("{}: found no folder {}; it must exist", file.string(), folder.string())};
   if (std::filesystem::is_directory(file)) throw IoError{fmt::format("{}: it is a folder; name a file", file.string())};
   VtkHdfSeries series{file};
   for (std::size_t i = 0; i < states.size(); ++i) {
