@@ -60,13 +60,11 @@ CapacityRocks expected_rocks(const Node& node) {
   for (const char* const name : {"mass", "speed", "height", "spin", "along"}) {
     if (!node.has(name)) continue;
     const Node of = node.at(name);
-    const bool is_fixed = of.has("value"), is_uniform = of.has("from");
-    const double low = of.at(is_fixed     ? "value"
-                             : is_uniform ? "from"
-                                          : "p95")
-                           .finite(),
-                 high = is_fixed ? low : of.at(is_uniform ? "to" : "p99").finite();
-    rocks.numbers.emplace_back(name, CapacityRocks::Number{low, high, is_uniform});
+    const bool is_uniform = of.has("from");
+    const auto [low, high] = of.has("value") ? std::pair{"value", "value"}
+                             : is_uniform    ? std::pair{"from", "to"}
+                                             : std::pair{"p95", "p99"};
+    rocks.numbers.emplace_back(name, CapacityRocks::Number{of.at(low).finite(), of.at(high).finite(), is_uniform});
   }
   if (rocks.table.empty() && rocks.numbers.empty()) node.fail("must have a table, or a mass");
   return rocks;

@@ -20,7 +20,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
   return text.replace(at, from.size(), to);
 }
 
-/// A run of three states.
+/// A run with few states.
 struct Run {
   Run() {
     const Ended run = talus_ran({"run", scene("two_cable.toml"), "--end", "0.1 s", "--frames", "1", "--out", out()});
@@ -28,7 +28,6 @@ struct Run {
   }
   std::string out() const { return (folder.path / "out").string(); }
   std::string index() const { return out() + "/two_cable.pvd"; }
-  fs::path first() const { return folder.path / "out/two_cable_geometry/two_cable_00000000.vtp"; }
   fs::path last() const { return folder.path / "out/two_cable_geometry/two_cable_00005000.vtp"; }
   std::string file() const { return (folder.path / "states.vtkhdf").string(); }
 

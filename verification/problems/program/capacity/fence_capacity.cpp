@@ -335,12 +335,9 @@ void check_audit(const Program& program, Differences& differ) {
   differ.contains("printed contradictions", printed,
                   fmt::format("  audit: {} of {} runs at nodes", not_stopped, audited));
   differ.compare("ends of the audit", audit.at("ends").at("stopped").get<int>(), audited - not_stopped);
-  // Wilson's interval: the roots of (k - n p)^2 = z^2 n p (1 - p).
-  constexpr double z2 = 1.959963984540054 * 1.959963984540054, n = audited;
-  const double k = not_stopped, half = std::sqrt(z2 * (k * (n - k) / n + 0.25 * z2));
-  differ.holds("interval of the contradictions",
-               std::abs(audit.at("interval").at(0).get<double>() - (k + 0.5 * z2 - half) / (n + z2)) < 1e-12 &&
-                   std::abs(audit.at("interval").at(1).get<double>() - (k + 0.5 * z2 + half) / (n + z2)) < 1e-12);
+  const auto [low, high] = wilson(not_stopped, audited);
+  differ.holds("interval of the contradictions", std::abs(audit.at("interval").at(0).get<double>() - low) < 1e-12 &&
+                                                     std::abs(audit.at("interval").at(1).get<double>() - high) < 1e-12);
 }
 
 /// Rocks that cross only 8 of the 10 mm to the column within 0.4 s are not stopped, faster ones are: at nodes

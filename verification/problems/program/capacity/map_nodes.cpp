@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <string>
@@ -44,13 +43,6 @@ bool is_near(double found, double exact, double tolerance = 1e-14) {
   return std::abs(found - exact) <= tolerance * std::abs(exact);
 }
 
-/// Wilson's interval of 95 %: the roots of (k - n p)^2 = z^2 n p (1 - p).
-std::array<double, 2> wilson(double k, double n) {
-  constexpr double z2 = 1.959963984540054 * 1.959963984540054;
-  const double half = std::sqrt(z2 * (k * (n - k) / n + 0.25 * z2));
-  return {(k + 0.5 * z2 - half) / (n + z2), (k + 0.5 * z2 + half) / (n + z2)};
-}
-
 /// Rows of the runs with this speed and radius, in SI.
 std::vector<std::size_t> rows_of(const Csv& runs, double speed, double radius) {
   const Column a{runs, "fence.rock[0].a"}, vx{runs, "fence.rock[0].velocity[0]"}, vy{runs, "fence.rock[0].velocity[1]"};
@@ -79,6 +71,12 @@ void compare_quantiles(const Csv& nodes, std::size_t node, const std::string& ou
 }
 
 }  // namespace
+
+std::array<double, 2> wilson(double k, double n) {
+  constexpr double z2 = 1.959963984540054 * 1.959963984540054;
+  const double half = std::sqrt(z2 * (k * (n - k) / n + 0.25 * z2));
+  return {(k + 0.5 * z2 - half) / (n + z2), (k + 0.5 * z2 + half) / (n + z2)};
+}
 
 void compare_nodes(const Csv& nodes, const Csv& runs, const OwnRock& own, Differences& differ) {
   const Column mass{nodes, "mass"}, speed{nodes, "speed"};

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "verification/record/csv.hpp"
 #include "verification/study/program/program_options.hpp"
 
@@ -10,6 +12,9 @@ namespace talus::verification::problems::fence_capacity {
 struct OwnRock {
   double mass{}, radius{};
 };
+
+/// Wilson's interval of 95 % for k of n: the roots of (k - n p)^2 = z^2 n p (1 - p).
+[[nodiscard]] std::array<double, 2> wilson(double k, double n);
 
 /// Compares the nodes of capacity.csv with the rows of its runs in results.csv: counts of ends, Wilson's interval of
 /// the probability, quantiles of outputs. The maps must differ in speed and mass alone, and speeds be changed by less
